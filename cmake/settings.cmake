@@ -1,0 +1,19 @@
+# One interface target holds what every target of ours is compiled with; third-party headers stay
+# outside it, so warnings as errors never reach them.
+add_library(rotorbench_settings INTERFACE)
+target_compile_options(rotorbench_settings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  # NaN checks and reproducible bits rule out -ffast-math; these two only drop errno and traps.
+  -fno-math-errno -fno-trapping-math
+  # The same bits on machines with and without fused multiply-add.
+  -ffp-contract=off)
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(ROTORBENCH_SANITIZE)
+  add_compile_options(-fsanitize=${ROTORBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  add_link_options(-fsanitize=${ROTORBENCH_SANITIZE})
+endif()
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
