@@ -15,14 +15,18 @@ class RandomStream {
   std::uint64_t bits();
   /// Uniform in [0, 1).
   double uniform();
-  /// Standard normal (mean 0, variance 1).
+  /// Standard normal (mean 0, variance 1): the inverse distribution function of one uniform number, so each
+  /// call takes exactly one draw from the stream.
   double normal();
 
  private:
   std::uint64_t key_;
   std::uint64_t counter_ = 0;
-  double spare_ = 0;
-  bool hasSpare_ = false;
 };
+
+/// Inverse of the standard normal distribution function for p in (0, 1), to about 16 digits (Wichura 1988,
+/// Algorithm AS 241, PPND16). Uses only operations IEEE 754 rounds exactly: no libm, whose last bit depends on
+/// the processor.
+double inverseNormal(double p);
 
 }  // namespace rotorbench

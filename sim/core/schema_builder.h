@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <type_traits>
 #include <utility>
 
@@ -87,8 +89,10 @@ class Builder {
     requires(std::is_integral_v<I> && !std::is_same_v<I, bool>)
   FieldBuilder integer(std::string key, I T::*member, std::string label, std::string symbol = {}) {
     Field& f = add(Kind::Integer, std::move(key), std::move(label), std::move(symbol));
-    // 2^53: the largest integers every JSON reader keeps exact.
-    f.range = {atLeast(std::is_signed_v<I> ? -9007199254740992.0 : 0.0), upTo(9007199254740992.0)};
+    // 2^53: the largest integers every JSON reader keeps exact; or what the member can hold.
+    constexpr double kExact = 9007199254740992.0;
+    f.range = {atLeast(std::max(-kExact, static_cast<double>(std::numeric_limits<I>::min()))),
+               upTo(std::min(kExact, static_cast<double>(std::numeric_limits<I>::max())))};
     f.read = [member](const void* o) { return Value{static_cast<std::int64_t>(self(o).*member)}; };
     f.write = [member](void* o, const Value& v) {
       self(o).*member = static_cast<I>(std::get<std::int64_t>(v));

@@ -16,12 +16,14 @@ struct Location {
   const Field* field = nullptr;
   void* owner = nullptr;
   std::string path;
-  /// Set when the path names a list element itself ("rotors[2]") and not a member of it.
+  /// Set when the path names a list element itself ("rotors[2]") and not a member of it, or a component of a
+  /// vector.
   std::optional<std::size_t> element;
 };
 
-/// Finds "a.b[1].c". A path into an alternative that is not chosen is not found. Throws InputError with the
-/// nearest existing key if there is no such parameter.
+/// Finds "a.b[1].c". A path into an alternative that is not chosen is not found. A component of a vector is
+/// found by name or index ("position.z", "position[2]") and given as `element`. Throws InputError with the nearest
+/// existing key if there is no such parameter.
 Location locate(Ref root, std::string_view path);
 
 /// Reads a leaf, or the chosen alternative's key where the path ends in ".type" of a variant.
@@ -31,8 +33,22 @@ Value get(ConstRef root, std::string_view path);
 /// outside its range or names no option; the document is then unchanged.
 void set(Ref root, std::string_view path, const Value& value);
 
-/// As set(), from text as a person types it after `--set path=`: "0.25", "25 cm", "true", "[1, 2, 3]".
+/// As set(), from text as a person types it after `--set path=`: "0.25", "25 cm", "true", "[1, 2, 3]". Numbers
+/// without a unit are SI, as in files.
 void setFromText(Ref root, std::string_view path, std::string_view text);
+
+/// What is wrong with `value` for this leaf, if anything; `path` goes into the Problem. A whole double is taken
+/// for an integer and an integer for a number.
+std::optional<Problem> check(const Field& field, const Value& value, std::string path);
+
+/// What is wrong with the number of elements of a list, if anything.
+std::optional<Problem> checkCount(const Field& field, std::size_t count, std::string path);
+
+/// Checks and, if nothing is wrong, writes a leaf of `owner`.
+std::optional<Problem> assign(const Field& field, void* owner, const Value& value, std::string path);
+
+/// The text as a value of this leaf in SI, or the Problem. Ranges are not checked here.
+std::variant<Value, Problem> readText(const Field& field, std::string_view text, std::string path);
 
 /// Every violation of ranges, options, list sizes and struct rules below `root`.
 std::vector<Problem> validate(ConstRef root);
@@ -50,6 +66,12 @@ std::vector<Difference> compare(ConstRef left, ConstRef right);
 
 /// A value as a person reads it: "25 cm", "on", "RK4". In the display unit, C locale, shortest exact digits.
 std::string toText(const Field& field, const Value& value);
+
+/// "a.b" from "a" and "b"; just the key where the path is empty.
+std::string joinPath(std::string_view path, std::string_view key);
+
+/// "must be one of a, b, c; nearest is b" for a word that names none of the options.
+std::string allowedOptions(const std::vector<Option>& options, std::string_view given);
 
 /// The candidate closest in spelling, if close enough to be meant.
 std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates);

@@ -1,0 +1,136 @@
+#include "sim/core/recording.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <new>
+
+namespace rotorbench {
+
+namespace {
+
+/// One cache line more per column: columns of 32 KiB exactly would all start in the same cache set.
+constexpr std::size_t kPad = 8;
+
+/// With less room than this, the stride doubles with each kept row: 62 doublings outlast any run.
+constexpr std::size_t kLastRoom = 64;
+constexpr std::size_t kLargestStride = std::size_t{1} << 62;
+
+}  // namespace
+
+Recording::Recording(std::vector<Channel> channels, RecordingLimits limits)
+    : channels_(std::move(channels)),
+      columnStride_(kChunkRows + kPad),
+      maxRows_(0),
+      whenFull_(limits.whenFull) {
+  const std::size_t chunkBytes =
+      std::max<std::size_t>(1, channels_.size()) * columnStride_ * sizeof(double);
+  const std::size_t maxChunks = std::max<std::size_t>(1, limits.maxBytes / chunkBytes);
+  maxRows_ = maxChunks * kChunkRows;
+  nextThinning_ = maxRows_ / 2;
+  chunks_ = std::make_unique<std::atomic<double*>[]>(maxChunks);
+}
+
+Recording::~Recording() {
+  for (std::size_t i = 0; i < maxRows_ / kChunkRows; ++i) {
+    delete[] chunks_[i].load(std::memory_order_relaxed);
+  }
+}
+
+bool Recording::append(std::span<const double> row) {
+  assert(row.size() == channels_.size());
+  if (finished_.load(std::memory_order_relaxed)) return false;
+  const std::size_t stride = stride_.load(std::memory_order_relaxed);
+  if ((offered_ & (stride - 1)) != 0) {  // the stride is a power of two
+    ++offered_;
+    return true;
+  }
+  if (appended_ == maxRows_) return whenFull_ == WhenFull::Thin;
+  const std::size_t chunk = appended_ / kChunkRows;
+  const std::size_t inChunk = appended_ % kChunkRows;
+  double* data = chunks_[chunk].load(std::memory_order_relaxed);
+  if (data == nullptr) {
+    data = new (std::nothrow) double[channels_.size() * columnStride_];
+    if (data == nullptr) return false;
+    chunks_[chunk].store(data, std::memory_order_release);
+  }
+  for (std::size_t c = 0; c < row.size(); ++c) data[c * columnStride_ + inChunk] = row[c];
+  ++appended_;
+  ++offered_;
+  if (whenFull_ == WhenFull::Thin && appended_ >= nextThinning_) {
+    const std::size_t room = maxRows_ - appended_;
+    nextThinning_ = appended_ + (room > kLastRoom ? room / 2 : 1);
+    if (stride < kLargestStride) stride_.store(2 * stride, std::memory_order_release);
+  }
+  return true;
+}
+
+void Recording::publish() {
+  published_.store(appended_, std::memory_order_release);
+}
+
+void Recording::finish() {
+  publish();
+  finished_.store(true, std::memory_order_release);
+}
+
+std::optional<std::size_t> Recording::find(std::string_view channelName) const {
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    if (channels_[i].name == channelName) return i;
+  }
+  return {};
+}
+
+double Recording::value(std::size_t channel, std::size_t row) const {
+  const double* data = chunks_[row / kChunkRows].load(std::memory_order_acquire);
+  return data[channel * columnStride_ + row % kChunkRows];
+}
+
+std::span<const double> Recording::column(std::size_t channel, std::size_t row) const {
+  const std::size_t end = std::min(rows(), (row / kChunkRows + 1) * kChunkRows);
+  if (row >= end) return {};
+  const double* data = chunks_[row / kChunkRows].load(std::memory_order_acquire);
+  return {data + channel * columnStride_ + row % kChunkRows, end - row};
+}
+
+namespace {
+
+/// First row in [0, count) for which `before` is false.
+template <class Before>
+std::size_t partition(std::size_t count, Before before) {
+  std::size_t low = 0;
+  while (count > 0) {
+    const std::size_t half = count / 2;
+    if (before(low + half)) {
+      low += half + 1;
+      count -= half + 1;
+    } else {
+      count = half;
+    }
+  }
+  return low;
+}
+
+}  // namespace
+
+std::size_t Recording::lowerBound(double t) const {
+  return partition(rows(), [&](std::size_t row) { return value(0, row) < t; });
+}
+
+double Recording::sampleAt(std::size_t channel, double t) const {
+  const std::size_t count = rows();
+  if (count == 0) return std::numeric_limits<double>::quiet_NaN();
+  const std::size_t after = partition(count, [&](std::size_t row) { return value(0, row) <= t; });
+  return value(channel, after == 0 ? 0 : after - 1);
+}
+
+std::size_t Recording::bytes() const {
+  std::size_t chunks = 0;
+  while (chunks < maxRows_ / kChunkRows &&
+         chunks_[chunks].load(std::memory_order_acquire) != nullptr) {
+    ++chunks;
+  }
+  return chunks * channels_.size() * columnStride_ * sizeof(double);
+}
+
+}  // namespace rotorbench
