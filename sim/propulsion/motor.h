@@ -1,0 +1,82 @@
+// A direct-current machine; a brushless motor behind its speed controller is the same averaged
+// machine. SI units. Rotor speed is counted positive in the rotor's own sense of rotation, whatever
+// its spin.
+//   L di/dt = v - R i - K_b w                                  thesis 2014, figure 3.11
+//   J dw/dt = K_t i - f w - T_c sign(w) - Q_aero
+// K_t = K_b = 60/(2 pi Kv); f and T_c come from the no-load current I0 at the voltage V0.
+#pragma once
+
+#include <cmath>
+
+#include "sim/core/schema.h"
+
+namespace rotorbench {
+
+/// As a data sheet gives a motor; defaults are the DJI E305 (2312E).
+struct MotorParameters {
+  double speedConstant = 100.53096491487338;  ///< Kv in (rad/s)/V: 960 rpm/V
+  double resistance = 0.117;                  ///< Ohm, winding and speed controller
+  double inductance = 50e-6;                  ///< H
+  double noLoadCurrent = 0.45;                ///< A
+  double noLoadVoltage = 10;                  ///< V
+  double viscousShare = 0;  ///< part of the no-load torque that grows with speed, 0..1
+  double maxCurrent = 20;   ///< A, kept by the motor speed controller
+  bool operator==(const MotorParameters&) const = default;
+};
+
+/// Width in rad/s of the smooth sign(w) of dry friction: small against any flying speed, and wide
+/// enough that the friction of a stopping rotor is no stiffer than the rest of the motor.
+inline constexpr double kFrictionSpeed = 1.0;
+
+/// The numbers the derivative uses.
+struct MotorConstants {
+  double torqueConstant = 0;  ///< K_t = K_b, N m/A = V s/rad
+  double resistance = 0;      ///< Ohm
+  double inductance = 1;      ///< H
+  double inverseInductance = 1;
+  double viscousFriction = 0;  ///< f, N m s
+  double dryFriction = 0;      ///< T_c, N m
+  double maxCurrent = 0;       ///< A
+
+  /// Friction torque in N m at speed w, against the rotation; smooth through w = 0.
+  template <class S>
+  [[nodiscard]] S friction(const S& w) const {
+    using std::sqrt;
+    const S smooth = sqrt(w * w + kFrictionSpeed * kFrictionSpeed);
+    return S(w * (viscousFriction + dryFriction / smooth));
+  }
+  /// di/dt in A/s at terminal voltage v, current i and speed w.
+  template <class S>
+  [[nodiscard]] S currentRate(const S& v, const S& i, const S& w) const {
+    return S((v - resistance * i - torqueConstant * w) * inverseInductance);
+  }
+  /// Current in A that holds speed w against an aerodynamic torque in N m.
+  [[nodiscard]] double steadyCurrent(double w, double aerodynamicTorque) const {
+    return (aerodynamicTorque + friction(w)) / torqueConstant;
+  }
+  /// Terminal voltage in V that carries current i at speed w in the steady state.
+  [[nodiscard]] double steadyVoltage(double w, double i) const {
+    return resistance * i + torqueConstant * w;
+  }
+};
+
+MotorConstants buildMotor(const MotorParameters& parameters);
+
+/// A source of fixed voltage behind an internal resistance, shared by all motors.
+struct SupplyParameters {
+  double voltage = 11.1;          ///< V, open circuit
+  double internalResistance = 0;  ///< Ohm
+  bool operator==(const SupplyParameters&) const = default;
+};
+
+template <>
+struct Describe<MotorParameters> {
+  static void fields(schema::Builder<MotorParameters>& b);
+};
+
+template <>
+struct Describe<SupplyParameters> {
+  static void fields(schema::Builder<SupplyParameters>& b);
+};
+
+}  // namespace rotorbench
