@@ -98,4 +98,11 @@ std::string excerpt(std::string_view text, std::size_t most) {
   return out;
 }
 
+std::string quoted(std::string_view text) {
+  std::string out(1, '"');
+  out += excerpt(text);
+  out += '"';
+  return out;
+}
+
 }  // namespace rotorbench

@@ -25,4 +25,7 @@ std::optional<std::size_t> findInvalidUtf8(std::string_view text);
 /// cut.
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
+/// The excerpt in double quotes.
+std::string quoted(std::string_view text);
+
 }  // namespace rotorbench

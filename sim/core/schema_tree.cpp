@@ -80,7 +80,7 @@ class PathFinder {
            count == 0 ? "the list is empty" : "the elements are 0 to " + std::to_string(count - 1));
     }
     rest_.remove_prefix(close + 1);
-    path_ += "[" + std::to_string(index) + "]";
+    path_.append("[").append(std::to_string(index)).append("]");
     return index;
   }
 
@@ -146,7 +146,7 @@ bool isAlternative(const Location& location) {
 }
 
 Problem problemWithOption(const Field& field, const std::string& path, const std::string& given) {
-  return {path, "\"" + excerpt(given) + "\" is not allowed", allowedOptions(field.options, given)};
+  return {path, quoted(given) + " is not allowed", allowedOptions(field.options, given)};
 }
 
 void choose(const Location& location, const Value& value) {

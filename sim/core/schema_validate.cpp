@@ -15,20 +15,13 @@ bool Range::contains(double v) const {
 
 namespace {
 
-double factorOf(std::string_view siUnit, std::string_view shownUnit) {
-  const Unit* si = findUnit(siUnit);
-  const Unit* shown = findUnit(shownUnit);
-  return si != nullptr && shown != nullptr && si->dimension == shown->dimension
-             ? shown->factor / si->factor
-             : 1.0;
-}
-
 std::string withUnit(std::string number, std::string_view unit) {
   return unit == "1" || unit.empty() ? number : number + " " + std::string(unit);
 }
 
 std::string shown(const Field& field, double value) {
-  return withUnit(numberTextIn(value, factorOf(field.unit, field.displayUnit)), field.displayUnit);
+  return withUnit(numberTextIn(value, unitFactor(field.unit, field.displayUnit)),
+                  field.displayUnit);
 }
 
 std::string allowedNumbers(const Field& field) {
@@ -45,7 +38,7 @@ std::optional<double> numberOf(const Value& value) {
 
 std::string given(const Value& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&value)) return "\"" + excerpt(*text) + "\"";
+  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   if (const auto number = numberOf(value)) return numberText(*number);
   return "a list of numbers";
 }
@@ -128,23 +121,19 @@ class Validator {
   }
 };
 
-std::string boundText(double value, double factor) {
-  return numberTextIn(value, factor);
-}
-
 }  // namespace
 
 std::string Range::sentence(std::string_view siUnit, std::string_view shownUnit) const {
-  const double factor = factorOf(siUnit, shownUnit);
+  const double factor = unitFactor(siUnit, shownUnit);
   const std::string_view unit =
       findUnit(shownUnit) == nullptr || sameDimension(siUnit, shownUnit) ? shownUnit : siUnit;
   std::string text;
   if (std::isfinite(low.value)) {
-    text = (low.open ? "above " : "at least ") + boundText(low.value, factor);
+    text = (low.open ? "above " : "at least ") + numberTextIn(low.value, factor);
   }
   if (std::isfinite(high.value)) {
     text += (text.empty() ? "" : " and ") + std::string(high.open ? "below " : "at most ") +
-            boundText(high.value, factor);
+            numberTextIn(high.value, factor);
   }
   return text.empty() ? "any finite number" : withUnit(text, unit);
 }

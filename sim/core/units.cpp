@@ -143,6 +143,10 @@ constexpr std::array kUnits{
     Unit{"deg/m", "rad/m", kDegree},
     Unit{"K/m", "K/m", 1},
     Unit{"J/(kg*K)", "J/(kg*K)", 1},
+    Unit{"B", "B", 1},
+    Unit{"kB", "B", 1e3},
+    Unit{"MB", "B", 1e6},
+    Unit{"GB", "B", 1e9},
     Unit{"T", "T", 1},
     Unit{"uT", "T", 1e-6},
 };
@@ -326,6 +330,13 @@ std::vector<const Unit*> unitsLike(std::string_view symbol) {
     }
   }
   return units;
+}
+
+double unitFactor(std::string_view siUnit, std::string_view shown) {
+  const Unit* si = findUnit(siUnit);
+  const Unit* unit = findUnit(shown);
+  const bool alike = si != nullptr && unit != nullptr && si->dimension == unit->dimension;
+  return alike ? unit->factor / si->factor : 1.0;
 }
 
 double convertUnit(double value, std::string_view from, std::string_view to) {

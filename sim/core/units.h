@@ -34,6 +34,9 @@ bool sameDimension(std::string_view a, std::string_view b);
 /// All units that convert to the same dimension as `symbol`, the SI one first.
 std::vector<const Unit*> unitsLike(std::string_view symbol);
 
+/// Size of `shown` in `siUnit`; 1 where they do not convert.
+double unitFactor(std::string_view siUnit, std::string_view shown);
+
 /// Converts between two units of one dimension; both must exist and be alike (else InputError).
 double convertUnit(double value, std::string_view from, std::string_view to);
 
