@@ -1,0 +1,75 @@
+// Every run of this session: what was asked (a copy of the experiment), what came out (its
+// recordings) and how it is shown. A model of one column; RunsPanel draws it, the charts follow its
+// signals.
+#pragma once
+
+#include <QAbstractListModel>
+#include <QColor>
+#include <QDateTime>
+#include <QString>
+#include <vector>
+
+#include "sim/experiment/experiment.h"
+#include "ui/runs/run_worker.h"
+
+namespace rotorbench {
+
+struct RunRecord {
+  int id = 0;  ///< unique in the session, never reused
+  QString name, note;
+  QColor color;
+  QDateTime started;
+  bool visible = true;
+  Experiment experiment;
+  RunStatus status;  ///< with the recordings
+};
+
+/// True if two experiments give the same numbers: titles, notes and chart panes do not count.
+bool sameInputs(const Experiment& a, const Experiment& b);
+
+class RunList : public QAbstractListModel {
+  Q_OBJECT
+
+ public:
+  enum Role { IdRole = Qt::UserRole, ColorRole, NoteRole, DetailRole, OutOfDateRole };
+
+  explicit RunList(QObject* parent = nullptr);
+
+  [[nodiscard]] const std::vector<RunRecord>& records() const { return records_; }
+  /// The record with this id, or null.
+  [[nodiscard]] const RunRecord* find(int id) const;
+  [[nodiscard]] int rowOf(int id) const;
+
+  /// Adds a run on top of the list; returns its id.
+  int add(const Experiment& experiment);
+  void setStatus(int id, RunStatus status);
+  void rename(int id, const QString& name);
+  void setNote(int id, const QString& note);
+  void setVisible(int id, bool visible);
+  void remove(int id);
+  /// Marks runs whose inputs differ from this document.
+  void setCurrentExperiment(const Experiment& experiment);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+
+ signals:
+  /// Recordings were added, removed, shown, hidden or renamed.
+  void runsChanged();
+
+ private:
+  RunRecord* edit(int id);
+  void announce(int id);
+
+  std::vector<RunRecord> records_;
+  std::vector<bool> outOfDate_;
+  Experiment current_;
+  int nextId_ = 1;
+};
+
+/// "30 s in 0.42 s", "Stopped at 3.2 s of simulated time", in the reader's locale.
+QString runDetail(const RunRecord& record);
+
+}  // namespace rotorbench
