@@ -24,7 +24,7 @@ bool allowed(const QString& room, const QStringList& allowance) {
 }
 
 QList<Include> includesBelow(const QString& folder) {
-  static const QRegularExpression line(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])",
+  static const QRegularExpression line("^\\s*#\\s*include\\s*[<\"]([^>\"]+)[>\"]",
                                        QRegularExpression::MultilineOption);
   QList<Include> found;
   const QDir top(SOURCE_DIR);
@@ -86,8 +86,8 @@ const QMap<QString, QStringList>& StructureTest::rules() {
         "sim/control", "sim/analysis"}},
       {"sim/io", {"sim"}},
       {"ui/forms", seenByUi},
-      {"ui/charts", seenByUi},
-      {"ui/scene", seenByUi},
+      {"ui/charts", seenByUi + QStringList{"ui/runs"}},
+      {"ui/scene", seenByUi + QStringList{"ui/runs"}},
       {"ui/runs", seenByUi},
       {"ui/shell", seenByUi + QStringList{"ui"}},
       {"app", {"sim", "ui"}},
@@ -112,7 +112,7 @@ void StructureTest::roomsIncludeOnlyWhatTheyMay() {
 }
 
 void StructureTest::everyRoomHasARule() {
-  for (const QString& part : {"sim", "ui"}) {
+  for (const QString part : {"sim", "ui"}) {
     const QDir folder(QDir(SOURCE_DIR).filePath(part));
     for (const QString& room : folder.entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
       const QString name = part + "/" + room;
@@ -132,7 +132,7 @@ void StructureTest::simKnowsNoQt() {
 /// Quoted includes start at the top folder, so that the rules above see all of them.
 void StructureTest::ourIncludesNameTheirRoom() {
   static const QRegularExpression generated("(^|/)(moc_|ui_)|\\.moc$");
-  for (const QString& part : {"sim", "ui", "app"}) {
+  for (const QString part : {"sim", "ui", "app"}) {
     for (const Include& include : includesBelow(part)) {
       const bool local = QFileInfo::exists(
           QFileInfo(QDir(SOURCE_DIR).filePath(include.file)).dir().filePath(include.target));
