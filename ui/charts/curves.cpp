@@ -1,0 +1,120 @@
+#include "ui/charts/curves.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <map>
+
+#include "ui/charts/channel_pattern.h"
+#include "ui/runs/run_colors.h"
+
+namespace rotorbench {
+namespace {
+
+constexpr int kMostQuantities = 3;
+
+QString channelKey(const Curve& curve) {
+  return QString::fromStdString(curve.x().name + "|" + curve.y().name);
+}
+QString runChannelKey(const Curve& curve) { return curve.runId + u'|' + channelKey(curve); }
+
+/// Distinct last parts of channel names, or the full name if there is only one channel.
+QString quantityOf(const std::vector<QString>& names) {
+  QStringList distinct, last;
+  for (const auto& name : names) {
+    if (!distinct.contains(name)) distinct += name;
+    const QString part = name.section(u'.', -1);
+    if (!last.contains(part)) last += part;
+  }
+  if (distinct.size() == 1) return distinct.first();
+  return last.size() <= kMostQuantities ? last.join(QStringLiteral(", ")) : QString();
+}
+
+/// Several runs: colour by run, dash by rotor or else by channel. One run: colour by channel.
+void setStyles(std::vector<Curve>& curves, bool severalRuns, const RunSet& runs, bool markers) {
+  std::map<std::string, int> order;
+  for (auto& curve : curves) {
+    const int ordinal = order.try_emplace(curve.x().name + "|" + curve.y().name, static_cast<int>(order.size()))
+                            .first->second;
+    const int index = indexInName(curve.y().name);
+    const int indexDash = index > 0 ? (index - 1) % kDashCount : 0;
+    curve.style.markers = markers;
+    if (severalRuns) {
+      curve.style.color = runs.find(curve.runId)->color;
+      curve.style.dash = index > 0 ? indexDash : ordinal % kDashCount;
+    } else {
+      curve.style.color = runColor(ordinal);
+      curve.style.dash = indexDash;
+    }
+  }
+}
+
+}  // namespace
+
+bool HiddenCurves::contains(const Curve& curve) const {
+  return channels_.contains(channelKey(curve)) || runChannels_.contains(runChannelKey(curve));
+}
+
+void HiddenCurves::toggle(const Curve& curve, const std::vector<Curve>& curves) {
+  const bool severalRuns = std::any_of(curves.begin(), curves.end(),
+                                       [&](const Curve& other) { return other.runId != curve.runId; });
+  const bool hide = !contains(curve);
+  if (!severalRuns) {
+    runChannels_.remove(runChannelKey(curve));
+    if (hide) {
+      channels_.insert(channelKey(curve));
+    } else {
+      channels_.remove(channelKey(curve));
+    }
+    return;
+  }
+  if (channels_.remove(channelKey(curve))) {
+    for (const auto& other : curves) {
+      if (channelKey(other) == channelKey(curve)) runChannels_.insert(runChannelKey(other));
+    }
+  }
+  if (hide) {
+    runChannels_.insert(runChannelKey(curve));
+  } else {
+    runChannels_.remove(runChannelKey(curve));
+  }
+}
+
+CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCurves& hidden) {
+  CurveList list;
+  for (const auto& run : runs.runs()) {
+    if (!run.visible) continue;
+    for (const auto& channels : resolveCurves(spec, run.recording->channels())) {
+      Curve curve{run.id, run.name, run.recording, channels.x, channels.y, {}, 0, {}, false};
+      const auto at = std::find(list.units.begin(), list.units.end(), curve.y().unit);
+      curve.axis = static_cast<std::size_t>(at - list.units.begin());
+      if (at == list.units.end()) list.units.push_back(curve.y().unit);
+      curve.hidden = hidden.contains(curve);
+      list.curves.push_back(std::move(curve));
+    }
+  }
+  const bool severalRuns = std::any_of(list.curves.begin(), list.curves.end(), [&](const Curve& curve) {
+    return curve.runId != list.curves.front().runId;
+  });
+  setStyles(list.curves, severalRuns, runs, spec.markers);
+  for (auto& curve : list.curves) {
+    const QString name = QString::fromStdString(curve.y().name);
+    curve.label = severalRuns ? curve.runName + QStringLiteral(": ") + name : name;
+  }
+  return list;
+}
+
+QString axisQuantity(const CurveList& list, std::size_t axis) {
+  std::vector<QString> names;
+  for (const auto& curve : list.curves) {
+    if (curve.axis == axis) names.push_back(QString::fromStdString(curve.y().name));
+  }
+  return quantityOf(names);
+}
+
+QString abscissaQuantity(const CurveList& list) {
+  std::vector<QString> names;
+  for (const auto& curve : list.curves) names.push_back(QString::fromStdString(curve.x().name));
+  return names.empty() ? QStringLiteral("time") : quantityOf(names);
+}
+
+}  // namespace rotorbench
