@@ -1,0 +1,77 @@
+// Where the rotors of a multirotor sit. Body axes: x forward (to the front rotor of a plus, between
+// the two front rotors of a cross), y left, z up. Rotors are numbered from the front,
+// counter-clockwise seen from above; spin +1 turns counter-clockwise seen against the thrust axis
+// (from above), and neighbours turn oppositely: plus layout, first rotor +1: s = (+1, -1, +1, -1).
+#pragma once
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "sim/core/schema.h"
+
+namespace rotorbench {
+
+enum class Spin { CounterClockwise, Clockwise };
+
+inline double spinSign(Spin spin) {
+  return spin == Spin::CounterClockwise ? 1.0 : -1.0;
+}
+
+/// First rotor ahead on the x axis.
+struct PlusLayout {
+  double arm = 0.225;  ///< m, centre to hub
+  double height = 0;   ///< m, hub plane above the body origin
+  Spin firstSpin = Spin::CounterClockwise;
+  bool operator==(const PlusLayout&) const = default;
+};
+
+/// First rotor ahead to the left, x between the two front rotors. Defaults: DJI F450.
+struct CrossLayout {
+  double arm = 0.23348665914186;  ///< m, centre to hub: 0.1651 m along both axes
+  double height = 0.025;          ///< m
+  Spin firstSpin = Spin::CounterClockwise;
+  bool operator==(const CrossLayout&) const = default;
+};
+
+struct RotorPlacement {
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m, hub in the body frame
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();     ///< thrust direction, any length
+  Spin spin = Spin::CounterClockwise;
+  bool operator==(const RotorPlacement&) const = default;
+};
+
+/// Every hub placed by hand.
+struct FreeLayout {
+  std::vector<RotorPlacement> rotors{
+      {{0.2, 0, 0}, Eigen::Vector3d::UnitZ(), Spin::CounterClockwise},
+      {{0, 0.2, 0}, Eigen::Vector3d::UnitZ(), Spin::Clockwise},
+      {{-0.2, 0, 0}, Eigen::Vector3d::UnitZ(), Spin::CounterClockwise},
+      {{0, -0.2, 0}, Eigen::Vector3d::UnitZ(), Spin::Clockwise}};
+  bool operator==(const FreeLayout&) const = default;
+};
+
+using RotorLayout = std::variant<CrossLayout, PlusLayout, FreeLayout>;
+
+/// The hubs of a layout with `count` rotors, axes of unit length. A free layout gives as many as it
+/// has.
+std::vector<RotorPlacement> placeRotors(const RotorLayout& layout, int count);
+
+template <>
+struct Describe<PlusLayout> {
+  static void fields(schema::Builder<PlusLayout>& b);
+};
+template <>
+struct Describe<CrossLayout> {
+  static void fields(schema::Builder<CrossLayout>& b);
+};
+template <>
+struct Describe<RotorPlacement> {
+  static void fields(schema::Builder<RotorPlacement>& b);
+};
+template <>
+struct Describe<FreeLayout> {
+  static void fields(schema::Builder<FreeLayout>& b);
+};
+
+}  // namespace rotorbench

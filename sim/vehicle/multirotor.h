@@ -1,0 +1,199 @@
+// A multirotor as a rigid body with N spinning rotors: Newton-Euler equations (physics of Mahony,
+// Kumar, Corke, "Multirotor Aerial Vehicles", IEEE RAM 2012) with motors and the lumped rotor
+// model. SI units; inertial frame x forward, y left, z up; body axes alike, origin of the state:
+// the actual centre of mass.
+//
+//   p' = v            v' = g + R F/m            q' = q * (0, w)/2
+//   H' = tau - w x H  with  H = I w + sum_i s_i J_i Omega_i a_i   (body axes)
+//
+// H is the angular momentum of body and rotors together. Carrying it instead of the body rates w
+// makes the gyroscopic moment -w x sum(s J Omega a) and the reaction -s_i J_i Omega_i' a_i of
+// accelerating rotors exact with no equation to solve: motor torques act inside the system, and
+// only the aerodynamic torque Q_i remains in tau. w follows from bodyRates(). A jump of a
+// prescribed rotor speed leaves H and turns the body, as it must.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "sim/environment/environment.h"
+#include "sim/propulsion/motor.h"
+#include "sim/propulsion/rotor.h"
+#include "sim/vehicle/vehicle_parameters.h"
+
+namespace rotorbench {
+
+/// Everything the derivative needs, computed once per run.
+template <int N>
+struct MultirotorConstants {
+  struct Hub {
+    Eigen::Vector3d arm;       ///< m, from the centre of mass
+    Eigen::Vector3d axis;      ///< unit thrust direction
+    double spin;               ///< +1 counter-clockwise from above
+    Eigen::Vector3d momentum;  ///< s J a: angular momentum per rotor speed
+    RotorConstants rotor;
+    MotorConstants motor;
+  };
+  std::array<Hub, N> hubs;
+  double mass, inverseMass;
+  Eigen::Vector3d centre;  ///< centre of mass in the body frame of the parameters
+  Eigen::Matrix3d inertia, inverseInertia;
+  double gravity;
+  AirConstants air;
+  BodyDrag drag;
+  SupplyParameters supply;
+};
+
+/// Throws InputError naming every problem of mass properties or rotor numbers. `asPlanned` leaves
+/// deviations out.
+template <int N>
+MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
+                                       const EnvironmentParameters& environment,
+                                       bool asPlanned = false);
+
+/// How rotor speeds come about.
+enum class RotorDrive {
+  Motors,           ///< command: duty 0..1 of each motor; rotor speed and current are computed
+  PrescribedSpeeds  ///< command: rotor acceleration in rad/s^2; speeds are set with
+                    ///< setRotorSpeeds()
+};
+
+/// Where each quantity stands in the state. Rotor arrays come first and everything is contiguous,
+/// so that the sums of a Runge-Kutta step vectorise; 2 N + 14 is even for the same reason.
+template <int N>
+struct MultirotorLayout {
+  static constexpr int kSpeed = 0;              ///< rad/s, N
+  static constexpr int kCurrent = N;            ///< A, N
+  static constexpr int kAttitude = 2 * N;       ///< w x y z, body to inertial
+  static constexpr int kMomentum = 2 * N + 4;   ///< H, body axes, kg m^2/s
+  static constexpr int kVelocity = 2 * N + 7;   ///< inertial, m/s
+  static constexpr int kPosition = 2 * N + 10;  ///< inertial, m
+  static constexpr int kCharge = 2 * N + 13;    ///< A s drawn from the supply
+  static constexpr int kStates = 2 * N + 14;
+};
+
+/// What the derivative works out on the way, for sensors, charts and recordings.
+template <int N>
+struct MultirotorForces {
+  std::array<double, N> thrust;   ///< N
+  std::array<double, N> torque;   ///< N m, aerodynamic, against the rotation
+  std::array<double, N> voltage;  ///< V at the motor
+  double busVoltage;              ///< V of the supply under load
+  double supplyCurrent;           ///< A drawn from the supply
+  Eigen::Vector3d rates;          ///< body rates, rad/s
+  Eigen::Vector3d acceleration;   ///< inertial, m/s^2
+  Eigen::Vector3d
+      specificForce;  ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
+};
+
+template <int N, RotorDrive Drive = RotorDrive::Motors>
+class Multirotor {
+ public:
+  using Layout = MultirotorLayout<N>;
+  using Constants = MultirotorConstants<N>;
+  static constexpr int kRotors = N;
+  static constexpr int kStates = Layout::kStates;
+  static constexpr RotorDrive kDrive = Drive;
+  template <class S>
+  using StateOf = Eigen::Matrix<S, kStates, 1>;
+  using State = StateOf<double>;
+  template <class S>
+  using CommandOf = Eigen::Matrix<S, N, 1>;
+  using Command = CommandOf<double>;
+
+  explicit Multirotor(const Constants& constants) : constants_(constants) {}
+
+  /// Held between two calls; see RotorDrive. Duties outside 0..1 are limited here.
+  void setCommand(const Command& command) {
+    command_ = Drive == RotorDrive::Motors ? Command(command.cwiseMax(0).cwiseMin(1)) : command;
+  }
+  [[nodiscard]] const Command& command() const { return command_; }
+
+  void operator()(double /*t*/, const State& y, State& dydt) const {
+    evaluate(command_, y, dydt, [](auto&&...) {});
+  }
+
+  /// The derivative over any scalar, for a command over any scalar.
+  template <class S>
+  void derivative(const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt) const {
+    evaluate(command, y, dydt, [](auto&&...) {});
+  }
+
+  /// The derivative together with the quantities it passes through.
+  void derivativeAndForces(const State& y, State& dydt, MultirotorForces<N>& forces) const;
+
+  /// To be called once after each step: brings the quaternion back to unit length.
+  static void afterStep(State& y) {
+    y.template segment<4>(Layout::kAttitude) *= 1 / y.template segment<4>(Layout::kAttitude).norm();
+  }
+
+  /// Motor pairs (speed, current) for the exponential Runge-Kutta method; linear(i) is the constant
+  /// part
+  /// [[-f/J, K/J], [-K/L, -R/L]] of their equations (zero where speeds are prescribed).
+  static constexpr int kPairs = N;
+  static constexpr std::pair<int, int> pair(int i) {
+    return {Layout::kSpeed + i, Layout::kCurrent + i};
+  }
+  [[nodiscard]] Eigen::Matrix2d linear(int i) const;
+
+  /// Body rates in rad/s from the total angular momentum.
+  template <class S>
+  [[nodiscard]] Eigen::Matrix<S, 3, 1> bodyRates(const StateOf<S>& y) const {
+    Eigen::Matrix<S, 3, 1> body = y.template segment<3>(Layout::kMomentum);
+    for (int i = 0; i < N; ++i) {
+      const S& speed = y[Layout::kSpeed + i];
+      const Eigen::Vector3d& h = constants_.hubs[static_cast<std::size_t>(i)].momentum;
+      for (int k = 0; k < 3; ++k) body[k] -= speed * h[k];
+    }
+    return times(constants_.inverseInertia, body);
+  }
+  /// Sets the total angular momentum so that the body turns at `rates` with the rotor speeds of the
+  /// state.
+  void setBodyRates(State& y, const Eigen::Vector3d& rates) const;
+  /// Prescribes rotor speeds from now on; the body takes up the change of the rotors' momentum.
+  static void setRotorSpeeds(State& y, const Command& speeds) {
+    y.template segment<N>(Layout::kSpeed) = speeds;
+  }
+
+  /// A state of the centre of mass at `start`; the body frame's origin plays no role. Rotors that
+  /// hover are at hoverSpeeds() with their steady currents.
+  [[nodiscard]] State initialState(const FlightStart& start) const;
+  /// Rotor speeds in rad/s whose thrusts carry the vehicle level in still air without a moment
+  /// about the x and y axes, and about z as far as spins allow. Throws InputError if some rotor
+  /// would have to pull downwards.
+  [[nodiscard]] Command hoverSpeeds() const;
+  /// Duties that hold given rotor speeds in still air. May exceed 1 where the supply is too weak.
+  [[nodiscard]] Command steadyDuties(const Command& speeds) const;
+
+  /// "rotor 2 speed", "position z": for messages about a state component.
+  [[nodiscard]] static std::string stateName(int index);
+  [[nodiscard]] const Constants& constants() const { return constants_; }
+
+ private:
+  template <class S>
+  static Eigen::Matrix<S, 3, 1> times(const Eigen::Matrix3d& m, const Eigen::Matrix<S, 3, 1>& v) {
+    Eigen::Matrix<S, 3, 1> r;
+    for (int k = 0; k < 3; ++k) r[k] = m(k, 0) * v[0] + m(k, 1) * v[1] + m(k, 2) * v[2];
+    return r;
+  }
+
+  template <class S, class Sink>
+  void evaluate(const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt,
+                Sink&& sink) const;
+
+  Constants constants_;
+  Command command_ = Command::Zero();
+};
+
+/// Roll, pitch, yaw (Z-Y-X) in rad of a unit quaternion [w x y z]; yaw in (-pi, pi].
+Eigen::Vector3d eulerAngles(const Eigen::Vector4d& wxyz);
+/// The unit quaternion [w x y z] of roll, pitch, yaw.
+Eigen::Vector4d quaternionOf(const Eigen::Vector3d& rollPitchYaw);
+
+}  // namespace rotorbench
+
+#include "sim/vehicle/multirotor_equations.h"

@@ -1,0 +1,186 @@
+#include "sim/vehicle/vehicle_parameters.h"
+
+#include <string>
+
+namespace rotorbench {
+
+namespace {
+
+std::string numbered(const char* list, std::size_t index) {
+  return std::string(list) + "[" + std::to_string(index) + "]";
+}
+
+/// What is wrong with the number of rotors, or empty.
+std::vector<Problem> countProblems(const VehicleParameters& vehicle, std::size_t count) {
+  std::vector<Problem> problems;
+  const std::string allowed = std::to_string(count) + " rotors";
+  if (const auto* layout = std::get_if<FreeLayout>(&vehicle.layout);
+      layout != nullptr && layout->rotors.size() != count) {
+    problems.push_back(
+        {"layout.rotors", "the layout has " + std::to_string(layout->rotors.size()), allowed});
+  }
+  if (const auto* own = std::get_if<IndividualRotors>(&vehicle.rotors);
+      own != nullptr && own->rotors.size() != count) {
+    problems.push_back(
+        {"rotors.rotors", "there are " + std::to_string(own->rotors.size()), allowed});
+  }
+  for (std::size_t k = 0; k < vehicle.deviations.size(); ++k) {
+    const int rotor = vehicle.deviations[k].rotor;
+    if (rotor < 1 || static_cast<std::size_t>(rotor) > count) {
+      problems.push_back({numbered("deviations", k) + ".rotor",
+                          "there is no rotor " + std::to_string(rotor),
+                          "1 to " + std::to_string(count)});
+    }
+  }
+  return problems;
+}
+
+MassProperties withoutCheck(const VehicleParameters& vehicle, int count, bool asPlanned) {
+  const std::vector<RotorAtHub> planned = rotorsOf(vehicle, count, true);
+  const std::vector<RotorAtHub> actual = asPlanned ? planned : rotorsOf(vehicle, count);
+  MassProperties sum;
+  if (const auto* direct = std::get_if<DirectMass>(&vehicle.mass)) {
+    sum = {direct->mass, direct->centreOfMass, direct->inertia.matrix()};
+  } else {
+    const auto& parts = std::get<PartsMass>(vehicle.mass);
+    const double sphere = 0.4 * parts.bodyMass * parts.bodyRadius * parts.bodyRadius;  // (3.7)
+    sum = {parts.bodyMass, parts.bodyPosition, sphere * Eigen::Matrix3d::Identity()};
+    for (const auto& hub : planned) {
+      sum = withPointMass(sum, hub.rotor.mass, hub.placement.position);
+    }
+  }
+  for (const auto& load : vehicle.payloads) sum = withPointMass(sum, load.mass, load.position);
+  for (std::size_t i = 0; i < planned.size(); ++i) {
+    if (actual[i].placement == planned[i].placement &&
+        actual[i].rotor.mass == planned[i].rotor.mass)
+      continue;
+    sum = withPointMass(sum, actual[i].rotor.mass, actual[i].placement.position);
+    sum = withPointMass(sum, -planned[i].rotor.mass, planned[i].placement.position);
+  }
+  return sum;
+}
+
+}  // namespace
+
+std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
+  auto problems = countProblems(vehicle, static_cast<std::size_t>(count));
+  if (!problems.empty()) throw InputError("vehicle", std::move(problems));
+  std::vector<RotorAtHub> hubs;
+  for (const auto& placement : placeRotors(vehicle.layout, count)) {
+    const auto* equal = std::get_if<EqualRotors>(&vehicle.rotors);
+    hubs.push_back(
+        {placement, equal != nullptr
+                        ? equal->rotor
+                        : std::get<IndividualRotors>(vehicle.rotors).rotors[hubs.size()]});
+  }
+  if (!asPlanned) {
+    for (const auto& deviation : vehicle.deviations) {
+      auto& hub = hubs[static_cast<std::size_t>(deviation.rotor - 1)];
+      hub.placement.position += deviation.position;
+      hub.rotor.mass += deviation.mass;
+    }
+  }
+  return hubs;
+}
+
+MassProperties massOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
+  MassProperties sum = withoutCheck(vehicle, count, asPlanned);
+  auto problems = massProblems(sum, "mass");
+  if (!problems.empty()) throw InputError("vehicle", std::move(problems));
+  return sum;
+}
+
+void Describe<EqualRotors>::fields(schema::Builder<EqualRotors>& b) {
+  b.title("equal", "All alike", "One description for all rotors.");
+  b.group("rotor", &EqualRotors::rotor, "Rotor");
+}
+
+void Describe<IndividualRotors>::fields(schema::Builder<IndividualRotors>& b) {
+  b.title("individual", "Each its own",
+          "A description for every rotor, in the order of their numbers.");
+  b.list("rotors", &IndividualRotors::rotors, "Rotors").items(4, 4);
+}
+
+void Describe<RotorDeviation>::fields(schema::Builder<RotorDeviation>& b) {
+  using P = RotorDeviation;
+  b.title("deviation", "Deviation",
+          "How one arm or motor differs from the plan. The controller does not know of it.",
+          "Thesis 2014, nomenclature: \u0394r_i, \u0394m_i");
+  b.integer("rotor", &P::rotor, "Rotor")
+      .range(schema::atLeast(1), schema::upTo(4))
+      .help("Its number.");
+  b.vector("position", &P::position, "Displacement", "\u0394r", "m")
+      .range(schema::atLeast(-10), schema::upTo(10))
+      .help("Added to the place of the hub: x forward, y left, z up.");
+  b.number("mass", &P::mass, "Additional mass", "\u0394m", "kg")
+      .range(schema::atLeast(-100), schema::upTo(100))
+      .shownIn("g")
+      .help("Added to the point mass at the hub.");
+}
+
+void Describe<BodyDrag>::fields(schema::Builder<BodyDrag>& b) {
+  using P = BodyDrag;
+  b.title("drag", "Body drag", "Resistance of the body against the air, at the centre of mass.");
+  b.number("linear", &P::linear, "Linear drag", "D", "N*s/m")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help("Force per speed, against the motion.")
+      .source("Thesis 2014, tables 2.1 and 2.2");
+  b.vector("quadratic", &P::quadratic, "Quadratic drag", "c", "N*s^2/m^2")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help("Along each body axis: c times speed times the velocity along the axis.")
+      .source("RotorPy, vehicles/multirotor.py (drag matrix)");
+  b.vector("angular", &P::angular, "Angular drag", "d", "N*m*s")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help("Moment per body rate, against the rotation.")
+      .advanced();
+}
+
+void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) {
+  using P = VehicleParameters;
+  b.title("multirotor", "Quadrotor",
+          "A rigid body with four rotors: Newton-Euler equations with the momentum of the rotors.",
+          "Mahony, Kumar, Corke, Multirotor Aerial Vehicles, IEEE RAM 2012");
+  b.variant("layout", &P::layout, "Layout");
+  b.variant("rotors", &P::rotors, "Rotors");
+  b.variant("mass", &P::mass, "Mass properties");
+  b.list("payloads", &P::payloads, "Payloads").items(0, 100).table();
+  b.list("deviations", &P::deviations, "Deviations").items(0, 100).table();
+  b.group("drag", &P::drag, "Body drag");
+  b.group("supply", &P::supply, "Supply");
+  b.check([](const P& p, std::vector<Problem>& problems) {
+    constexpr int kCount = 4;
+    auto found = countProblems(p, kCount);
+    if (found.empty()) found = massProblems(withoutCheck(p, kCount, false), "mass");
+    problems.insert(problems.end(), found.begin(), found.end());
+  });
+}
+
+void Describe<FlightStart>::fields(schema::Builder<FlightStart>& b) {
+  using P = FlightStart;
+  b.title("start", "Start",
+          "Motion of the centre of mass and speed of the rotors when the flight begins.");
+  b.vector("position", &P::position, "Position", "p", "m")
+      .range(schema::atLeast(-1e5), schema::upTo(1e5));
+  b.vector("velocity", &P::velocity, "Velocity", "v", "m/s")
+      .range(schema::atLeast(-1000), schema::upTo(1000));
+  b.vector("attitude", &P::attitude, "Attitude", "\u03c6\u03b8\u03c8", "rad")
+      .range(schema::atLeast(-7), schema::upTo(7))
+      .shownIn("deg")
+      .components({"roll", "pitch", "yaw"})
+      .help("Roll, pitch and yaw, turned in the order yaw, pitch, roll.");
+  b.vector("rates", &P::rates, "Body rates", "\u03c9", "rad/s")
+      .range(schema::atLeast(-1000), schema::upTo(1000))
+      .shownIn("deg/s");
+  b.choice(
+      "rotors", &P::rotors, "Rotors",
+      std::vector<schema::Named<RotorStart>>{
+          {RotorStart::Hover, "hover", "Hovering", "At the speeds that carry the vehicle at rest."},
+          {RotorStart::Stopped, "stopped", "Stopped", "All rotors at rest."},
+          {RotorStart::Given, "given", "At a given speed", "All rotors at the speed below."}});
+  b.number("rotorSpeed", &P::rotorSpeed, "Rotor speed", "\u03a9", "rad/s")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .shownIn("rpm")
+      .help("Used when the rotors start at a given speed.");
+}
+
+}  // namespace rotorbench
