@@ -98,7 +98,7 @@ std::string excerpt(std::string_view text, std::size_t most) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
+std::string inQuotes(std::string_view text) {
   std::string out(1, '"');
   out += excerpt(text);
   out += '"';

@@ -26,6 +26,6 @@ std::optional<std::size_t> findInvalidUtf8(std::string_view text);
 std::string excerpt(std::string_view text, std::size_t most = 60);
 
 /// The excerpt in double quotes.
-std::string quoted(std::string_view text);
+std::string inQuotes(std::string_view text);
 
 }  // namespace rotorbench

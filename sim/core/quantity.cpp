@@ -21,7 +21,7 @@ class QuantityReader {
   double read() {
     const double value = sum();
     skipSpaces();
-    if (at_ < text_.size()) throw Fault{quoted(text_) + " is not a number with a unit"};
+    if (at_ < text_.size()) throw Fault{inQuotes(text_) + " is not a number with a unit"};
     return value;
   }
 
@@ -49,7 +49,7 @@ class QuantityReader {
         value *= factor();
       } else if (take('/')) {
         const double divisor = factor();
-        if (divisor == 0) throw Fault{quoted(text_) + " divides by zero"};
+        if (divisor == 0) throw Fault{inQuotes(text_) + " divides by zero"};
         value /= divisor;
       } else {
         return value;
@@ -63,7 +63,7 @@ class QuantityReader {
     double value = 0;
     if (take('(')) {
       value = sum();
-      if (!take(')')) throw Fault{quoted(text_) + " lacks a closing parenthesis"};
+      if (!take(')')) throw Fault{inQuotes(text_) + " lacks a closing parenthesis"};
     } else {
       value = number();
     }
@@ -90,11 +90,11 @@ class QuantityReader {
     }
     if (digits.empty() || separators > 1) {
       at_ = start;
-      throw Fault{quoted(text_) + " is not a number"};
+      throw Fault{inQuotes(text_) + " is not a number"};
     }
     takeExponent(digits);
     const auto value = readNumber(digits);
-    if (!value) throw Fault{quoted(text_) + " is not a finite number"};
+    if (!value) throw Fault{inQuotes(text_) + " is not a finite number"};
     return *value;
   }
 
@@ -117,12 +117,12 @@ class QuantityReader {
       const std::string_view candidate = rest.substr(0, length);
       if (candidate.back() == ' ' || !endsHere(rest, length)) continue;
       if (findUnit(candidate) == nullptr && canonicalUnit(candidate) != wanted_) continue;
-      if (!unit_.empty()) throw Fault{quoted(text_) + " has more than one unit"};
+      if (!unit_.empty()) throw Fault{inQuotes(text_) + " has more than one unit"};
       unit_ = candidate;
       at_ += length;
       return;
     }
-    throw Fault{quoted(text_) + " has the unknown unit " + excerpt(rest, 20)};
+    throw Fault{inQuotes(text_) + " has the unknown unit " + excerpt(rest, 20)};
   }
 
   [[nodiscard]] bool unitBegins() const {
@@ -181,17 +181,18 @@ ParsedQuantity parseQuantity(std::string_view text, std::string_view unit,
   const auto fail = [&](const std::string& what) {
     return ParsedQuantity{{}, what + "; " + allowedUnits(wanted)};
   };
-  if (text.size() > kLongestText) return fail(quoted(text) + " is too long");
+  if (text.size() > kLongestText) return fail(inQuotes(text) + " is too long");
   if (text.find_first_not_of(" \t") == std::string_view::npos) return fail("there is no number");
   try {
     QuantityReader reader(text, wanted);
     const double number = reader.read();
     const std::string written = reader.unit().empty() ? std::string(defaultUnit) : reader.unit();
     if (!sameDimension(written, wanted)) {
-      return fail(quoted(text) + " is in " + canonicalUnit(written));
+      if (reader.unit().empty()) return fail(inQuotes(text) + " has no unit");
+      return fail(inQuotes(text) + " is in " + canonicalUnit(written));
     }
     const double value = convertUnit(number, written, wanted);
-    if (!std::isfinite(value)) return fail(quoted(text) + " is not a finite number");
+    if (!std::isfinite(value)) return fail(inQuotes(text) + " is not a finite number");
     return {value, {}};
   } catch (const Fault& fault) {
     return fail(fault.what);

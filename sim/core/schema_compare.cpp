@@ -99,6 +99,25 @@ class Comparison {
 
 }  // namespace
 
+void copy(ConstRef from, Ref to) {
+  for (const Field& field : from.type->fields) {
+    std::size_t count = 1;
+    if (field.isLeaf()) {
+      field.write(to.object, field.read(from.object));
+      continue;
+    }
+    if (field.kind == Kind::Variant) field.choose(to.object, field.chosen(from.object));
+    if (field.kind == Kind::List) {
+      count = field.count(from.object);
+      field.resize(to.object, count);
+    }
+    for (std::size_t i = 0; i < count; ++i) {
+      copy({&field.childType(from.object, i), field.child_(from.object, i)},
+           {&field.childType(to.object, i), field.child(to.object, i)});
+    }
+  }
+}
+
 void walk(ConstRef root, const Visitor& visit) {
   walkFrom(root, {}, visit);
 }

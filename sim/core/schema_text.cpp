@@ -58,7 +58,7 @@ Read readIntegerText(const Field& field, std::string_view text, std::string path
     const double number = std::get<double>(*value);
     constexpr double kExact = 9007199254740992.0;
     if (number != std::floor(number) || std::abs(number) > kExact) {
-      return Problem{std::move(path), quoted(text) + " is not a whole number",
+      return Problem{std::move(path), inQuotes(text) + " is not a whole number",
                      "must be " + field.range.sentence(field.unit, field.unit)};
     }
     return Value{static_cast<std::int64_t>(number)};
@@ -73,7 +73,7 @@ Read readBooleanText(std::string_view text, std::string path) {
   for (const char* word : {"false", "off", "no", "0"}) {
     if (sameWord(text, word)) return Value{false};
   }
-  return Problem{std::move(path), quoted(text) + " is not allowed", "must be true or false"};
+  return Problem{std::move(path), inQuotes(text) + " is not allowed", "must be true or false"};
 }
 
 Read readChoiceText(const Field& field, std::string_view text, std::string path) {
@@ -83,7 +83,7 @@ Read readChoiceText(const Field& field, std::string_view text, std::string path)
   for (const Option& option : field.options) {
     if (sameWord(option.key, text) || sameWord(option.label, text)) return Value{option.key};
   }
-  return Problem{std::move(path), quoted(text) + " is not allowed",
+  return Problem{std::move(path), inQuotes(text) + " is not allowed",
                  allowedOptions(field.options, text)};
 }
 
@@ -93,7 +93,7 @@ Read readVectorText(const Field& field, std::string_view text, std::string path)
   if (!text.empty() && text.front() == '[') {
     const std::size_t close = text.rfind(']');
     if (close == std::string_view::npos) {
-      return Problem{std::move(path), quoted(text) + " lacks a closing bracket",
+      return Problem{std::move(path), inQuotes(text) + " lacks a closing bracket",
                      "must look like [1, 2, 3]"};
     }
     const std::string_view unit = trimmed(text.substr(close + 1));

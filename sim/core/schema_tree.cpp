@@ -146,7 +146,7 @@ bool isAlternative(const Location& location) {
 }
 
 Problem problemWithOption(const Field& field, const std::string& path, const std::string& given) {
-  return {path, quoted(given) + " is not allowed", allowedOptions(field.options, given)};
+  return {path, inQuotes(given) + " is not allowed", allowedOptions(field.options, given)};
 }
 
 void choose(const Location& location, const Value& value) {

@@ -50,6 +50,9 @@ std::optional<Problem> assign(const Field& field, void* owner, const Value& valu
 /// The text as a value of this leaf in SI, or the Problem. Ranges are not checked here.
 std::variant<Value, Problem> readText(const Field& field, std::string_view text, std::string path);
 
+/// Makes all described members of `to` equal to those of `from`; both of one type.
+void copy(ConstRef from, Ref to);
+
 /// Every violation of ranges, options, list sizes and struct rules below `root`.
 std::vector<Problem> validate(ConstRef root);
 

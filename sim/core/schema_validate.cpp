@@ -38,7 +38,7 @@ std::optional<double> numberOf(const Value& value) {
 
 std::string given(const Value& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
-  if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* text = std::get_if<std::string>(&value)) return inQuotes(*text);
   if (const auto number = numberOf(value)) return numberText(*number);
   return "a list of numbers";
 }
