@@ -30,7 +30,7 @@ void Describe<MotorParameters>::fields(schema::Builder<MotorParameters>& b) {
       "K = 1/Kv in SI units. A brushless motor with its speed controller is the same machine on "
       "average.",
       "Thesis 2014, figure 3.11");
-  b.number("speedConstant", &P::speedConstant, "Speed constant", "Kv", "rad/(s*V)")
+  b.number("speedConstant", &P::speedConstant, "Speed constant", "Kv", "rad/s/V")
       .range(schema::above(0), schema::upTo(1e5))
       .shownIn("rpm/V")
       .help("Speed per volt without load. The torque constant is its inverse in SI units.")

@@ -47,16 +47,16 @@ void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
       "In-plane drag, loss of thrust in climb, translational lift and flapping of the lumped rotor "
       "model.",
       "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
-  b.number("drag", &P::drag, "Rotor drag", "k_d", "N*s^2/(m*rad)")
+  b.number("drag", &P::drag, "Rotor drag", "k_d", "N*s^2/m")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Force against in-plane motion: k_d times rotor speed times air speed.");
-  b.number("inflow", &P::inflow, "Inflow loss", "k_z", "N*s^2/(m*rad)")
+  b.number("inflow", &P::inflow, "Inflow loss", "k_z", "N*s^2/m")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Thrust lost in climb: k_z times rotor speed times climb speed.");
   b.number("translationalLift", &P::translationalLift, "Translational lift", "k_h", "N*s^2/m^2")
       .range(schema::atLeast(0), schema::upTo(10))
       .help("Thrust won in level flight: k_h times in-plane air speed squared.");
-  b.number("flapping", &P::flapping, "Flapping", "k_flap", "N*s^2/rad")
+  b.number("flapping", &P::flapping, "Flapping", "k_flap", "N*s^2")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Moment at the hub from flapping blades.")
       .advanced();
@@ -68,11 +68,11 @@ void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) 
   b.title("coefficients", "Lumped coefficients",
           "Thrust k_eta w\u00b2 and drag torque k_m w\u00b2, with the effects of moving air.",
           "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
-  b.number("thrust", &P::thrust, "Thrust coefficient", "k_\u03b7", "N*s^2/rad^2")
+  b.number("thrust", &P::thrust, "Thrust coefficient", "k_\u03b7", "N*s^2")
       .range(schema::above(0), schema::upTo(1))
       .help("Thrust per rotor speed squared.")
       .source(hummingbird);
-  b.number("torque", &P::torque, "Torque coefficient", "k_m", "N*m*s^2/rad^2")
+  b.number("torque", &P::torque, "Torque coefficient", "k_m", "N*m*s^2")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Drag torque per rotor speed squared.")
       .source(hummingbird);

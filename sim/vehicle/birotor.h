@@ -104,6 +104,9 @@ class SpringBarBirotor {
   }
   void operator()(double /*t*/, const State& y, State& dydt) const { derivative(y, dydt); }
 
+  static std::string_view componentName(int index) {
+    return kStateNames.at(static_cast<std::size_t>(index));
+  }
   [[nodiscard]] State initialState() const;
   /// Bar angle in (-pi, pi] and its rate in rad/s.
   [[nodiscard]] static double angle(const State& y);
@@ -144,6 +147,9 @@ class RigidBarBirotor {
   }
   void operator()(double /*t*/, const State& y, State& dydt) const { derivative(y, dydt); }
 
+  static std::string_view componentName(int index) {
+    return kStateNames.at(static_cast<std::size_t>(index));
+  }
   [[nodiscard]] State initialState() const;
   /// Kinetic and potential energy, J.
   [[nodiscard]] double energy(const State& y) const;

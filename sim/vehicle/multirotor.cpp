@@ -151,16 +151,21 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(
 }
 
 template <int N, RotorDrive Drive>
-std::string Multirotor<N, Drive>::stateName(int index) {
+std::string Multirotor<N, Drive>::componentName(int index) {
   using L = Layout;
-  const auto axis = [&](int first) { return std::string(1, "xyz"[index - first]); };
-  if (index < L::kCurrent) return "rotor " + std::to_string(index + 1) + " speed";
-  if (index < L::kAttitude) return "motor " + std::to_string(index - N + 1) + " current";
-  if (index < L::kMomentum) return std::string("attitude ") + "wxyz"[index - L::kAttitude];
-  if (index < L::kVelocity) return "angular momentum " + axis(L::kMomentum);
-  if (index < L::kPosition) return "velocity " + axis(L::kVelocity);
-  if (index < L::kCharge) return "position " + axis(L::kPosition);
-  return "charge drawn";
+  const auto axis = [&](const char* name, int first) {
+    return std::string(name) + "." + "xyz"[index - first];
+  };
+  const auto rotor = [&](int first, const char* name) {
+    return "rotor" + std::to_string(index - first + 1) + "." + name;
+  };
+  if (index < L::kCurrent) return rotor(L::kSpeed, "speed");
+  if (index < L::kAttitude) return rotor(L::kCurrent, "current");
+  if (index < L::kMomentum) return std::string("attitude.") + "wxyz"[index - L::kAttitude];
+  if (index < L::kVelocity) return axis("momentum", L::kMomentum);
+  if (index < L::kPosition) return axis("velocity", L::kVelocity);
+  if (index < L::kCharge) return axis("position", L::kPosition);
+  return "supply.charge";
 }
 
 Eigen::Vector3d eulerAngles(const Eigen::Vector4d& q) {

@@ -169,8 +169,8 @@ class Multirotor {
   /// Duties that hold given rotor speeds in still air. May exceed 1 where the supply is too weak.
   [[nodiscard]] Command steadyDuties(const Command& speeds) const;
 
-  /// "rotor 2 speed", "position z": for messages about a state component.
-  [[nodiscard]] static std::string stateName(int index);
+  /// "rotor1.speed", "position.z": for messages about a state component.
+  [[nodiscard]] static std::string componentName(int index);
   [[nodiscard]] const Constants& constants() const { return constants_; }
 
  private:

@@ -1,0 +1,64 @@
+// Speed control of one motor (thesis 2014, figures 4.7-4.9): PID on the rotor speed, feed-forward of the
+// steady voltage, voltage and current limits. The PID demands a rotor acceleration; inertia and torque constant
+// turn it into a voltage, so its gains carry over between motors.
+#pragma once
+
+#include <algorithm>
+
+#include "sim/control/pid.h"
+#include "sim/propulsion/motor.h"
+
+namespace rotorbench {
+
+struct MotorSpeedParameters {
+  double rate = 1000;  ///< Hz
+  PidParameters<PidUse::RotorSpeed> pid{.kp = 60,
+                                        .ki = 300,
+                                        .setPointWeight = 1,
+                                        .filterTime = 0.005,
+                                        .trackingTime = 0.05,
+                                        .limit = 1e5};
+  bool feedForward = true;
+  bool operator==(const MotorSpeedParameters&) const = default;
+};
+
+class MotorSpeedController {
+ public:
+  MotorSpeedController(const MotorSpeedParameters& parameters, const MotorConstants& motor,
+                       double rotorInertia, double torqueFactor)
+      : pid_(parameters.pid, 1 / parameters.rate),
+        motor_(motor),
+        torqueFactor_(torqueFactor),
+        voltsPerAcceleration_(rotorInertia * motor.resistance / motor.torqueConstant),
+        feedForward_(parameters.feedForward) {}
+
+  /// Terminal voltage in V for a set-point and measured speed in rad/s and the measured bus voltage in V.
+  /// Within 0..bus and, as far as these allow, the band around K_b w that keeps the current within its limit.
+  double update(double setPoint, double speed, double bus) {
+    const double acceleration = pid_.propose(setPoint, speed);
+    double wanted = voltsPerAcceleration_ * acceleration;
+    if (feedForward_) {
+      wanted += motor_.steadyVoltage(
+          setPoint, motor_.steadyCurrent(setPoint, torqueFactor_ * setPoint * setPoint));
+    }
+    const double back = motor_.torqueConstant * speed, band = motor_.resistance * motor_.maxCurrent;
+    const double high = std::clamp(back + band, 0.0, bus);
+    const double low = std::clamp(back - band, 0.0, high);
+    const double voltage = std::clamp(wanted, low, high);
+    pid_.accept(acceleration + (voltage - wanted) / voltsPerAcceleration_);
+    return voltage;
+  }
+
+ private:
+  Pid pid_;
+  MotorConstants motor_;
+  double torqueFactor_, voltsPerAcceleration_;
+  bool feedForward_;
+};
+
+template <>
+struct Describe<MotorSpeedParameters> {
+  static void fields(schema::Builder<MotorSpeedParameters>& b);
+};
+
+}  // namespace rotorbench
