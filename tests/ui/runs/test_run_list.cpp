@@ -1,0 +1,218 @@
+// Runs as the window shows them: the controller keeps records current, the panel renames, hides, compares and
+// deletes them, the metrics table copies.
+#include <QClipboard>
+#include <QListView>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTableWidget>
+#include <QToolBar>
+#include <QtTest>
+
+#include "tests/ui/runs/fake_simulation.h"
+#include "ui/runs/metrics_panel.h"
+#include "ui/runs/run_controller.h"
+#include "ui/runs/run_delegate.h"
+#include "ui/runs/runs_panel.h"
+
+using namespace rotorbench;
+
+namespace {
+
+RunController::Builder fake(FakePlan plan) {
+  return [plan](const Experiment&, const std::filesystem::path&) {
+    return std::make_unique<FakeSimulation>(plan);
+  };
+}
+
+Experiment titled(const std::string& title) {
+  Experiment experiment;
+  experiment.title = title;
+  return experiment;
+}
+
+/// Runs to the end and returns the id.
+int finishedRun(RunController& controller, const Experiment& experiment) {
+  const int id = controller.start(experiment);
+  [&] { QTRY_COMPARE(controller.state(), RunState::Finished); }();
+  return id;
+}
+
+}  // namespace
+
+class TestRunList : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() { QLocale::setDefault(QLocale::c()); }
+  void recordFollowsTheRun();
+  void buildErrorBecomesAFailedRecord();
+  void secondStartEndsTheFirst();
+  void destroyedDuringRun();
+  void marksOlderInputs();
+  void panelHidesRenamesDeletes();
+  void comparesTwoRuns();
+  void copiesMetrics();
+};
+
+void TestRunList::recordFollowsTheRun() {
+  RunList runs;
+  RunController controller(runs, fake({}));
+  QSignalSpy states(&controller, &RunController::stateChanged);
+  const int id = finishedRun(controller, titled("Hover"));
+  const RunRecord& record = *runs.find(id);
+  QCOMPARE(record.name, QString("Run 1: Hover"));
+  QCOMPARE(record.status.outputs.at(0).recording->rows(), std::size_t{1000});
+  QVERIFY(record.status.wallSeconds > 0);
+  QVERIFY(runDetail(record).startsWith("Finished, 1 s in "));
+  QVERIFY(states.count() >= 2);
+}
+
+void TestRunList::buildErrorBecomesAFailedRecord() {
+  RunList runs;
+  RunController controller(
+      runs, [](const Experiment&, const std::filesystem::path&) -> std::unique_ptr<Simulation> {
+        throw InputError("", {{"setup.duration", "-1 s is too small", "above 0 s", false}});
+      });
+  const int id = controller.start(titled("Wrong"));
+  QTRY_COMPARE(controller.state(), RunState::Failed);
+  QCOMPARE(runs.find(id)->status.problems.size(), std::size_t{1});
+  QCOMPARE(runDetail(*runs.find(id)), QString("Could not start"));
+}
+
+void TestRunList::secondStartEndsTheFirst() {
+  FakePlan plan;
+  plan.ticks = 600000;
+  plan.tickCost = std::chrono::microseconds(20);
+  RunList runs;
+  RunController controller(runs, fake(plan));
+  const int first = controller.start(titled("One"));
+  QTRY_COMPARE(controller.state(), RunState::Running);
+  const int second = controller.start(titled("Two"));
+  QCOMPARE(runs.find(first)->status.state, RunState::Stopped);
+  QTRY_COMPARE(runs.find(second)->status.state, RunState::Running);
+  QVERIFY(runs.find(first)->color != runs.find(second)->color);
+}
+
+void TestRunList::destroyedDuringRun() {
+  FakePlan plan;
+  plan.ticks = 600000;
+  plan.tickCost = std::chrono::microseconds(20);
+  RunList runs;
+  QElapsedTimer clock;
+  {
+    RunController controller(runs, fake(plan));
+    controller.start(titled("Long"));
+    QTRY_COMPARE(controller.state(), RunState::Running);
+    clock.start();
+  }
+  QVERIFY(clock.elapsed() < 2000);
+}
+
+void TestRunList::marksOlderInputs() {
+  RunList runs;
+  RunController controller(runs, fake({}));
+  Experiment experiment = titled("Hover");
+  runs.setCurrentExperiment(experiment);
+  const int id = finishedRun(controller, experiment);
+  const auto outOfDate = [&] {
+    return runs.index(runs.rowOf(id)).data(RunList::OutOfDateRole).toBool();
+  };
+  QVERIFY(!outOfDate());
+  experiment.title = "Another title";
+  runs.setCurrentExperiment(experiment);
+  QVERIFY(!outOfDate());
+  experiment.seed = 7;
+  runs.setCurrentExperiment(experiment);
+  QVERIFY(outOfDate());
+  QVERIFY(runs.index(0).data(RunList::DetailRole).toString().endsWith("older inputs"));
+}
+
+void TestRunList::panelHidesRenamesDeletes() {
+  RunList runs;
+  RunController controller(runs, fake({}));
+  finishedRun(controller, titled("One"));
+  finishedRun(controller, titled("Two"));
+  RunsPanel panel(runs);
+  panel.resize(300, 400);
+  panel.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&panel));
+  auto* view = panel.findChild<QListView*>("runsView");
+  const QRect top = view->visualRect(runs.index(0));
+
+  QStyleOptionViewItem option;
+  option.initFrom(view);
+  option.rect = top;
+  QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, RunDelegate::checkRect(option).center());
+  QVERIFY(!runs.records().front().visible);
+  QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, RunDelegate::checkRect(option).center());
+  QVERIFY(runs.records().front().visible);
+
+  QTest::mouseClick(view->viewport(), Qt::LeftButton, {}, top.center());
+  QCOMPARE(panel.selection(), std::vector<int>{2});
+  QTest::keyClick(view, Qt::Key_F2);
+  auto* editor = view->findChild<QLineEdit*>();
+  QVERIFY(editor != nullptr);
+  editor->selectAll();
+  QTest::keyClicks(editor, "Calm air");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QTRY_COMPARE(runs.find(2)->name, QString("Calm air"));
+
+  QTest::keyClick(view, Qt::Key_Delete);
+  auto* box = panel.findChild<QMessageBox*>("deleteRunsBox");
+  QVERIFY(box != nullptr);
+  QVERIFY(box->text().contains("Calm air"));
+  for (QAbstractButton* button : box->buttons()) {
+    if (box->buttonRole(button) == QMessageBox::DestructiveRole)
+      QTest::mouseClick(button, Qt::LeftButton);
+  }
+  QTRY_COMPARE(runs.records().size(), std::size_t{1});
+  QCOMPARE(runs.records().front().id, 1);
+}
+
+void TestRunList::comparesTwoRuns() {
+  RunList runs;
+  RunController controller(runs, fake({}));
+  finishedRun(controller, titled("One"));
+  Experiment other = titled("One");
+  other.seed = 42;
+  finishedRun(controller, other);
+  RunsPanel panel(runs);
+  panel.show();
+  auto* view = panel.findChild<QListView*>("runsView");
+  view->selectAll();
+  auto* compare = panel.findChild<QAction*>("compareRuns");
+  QVERIFY(compare->isEnabled());
+  compare->trigger();
+  auto* dialog = panel.findChild<QDialog*>("compareDialog");
+  QVERIFY(dialog != nullptr);
+  auto* inputs = dialog->findChild<QTableWidget*>("compareInputs");
+  QCOMPARE(inputs->rowCount(), 1);
+  QCOMPARE(inputs->item(0, 0)->text(), QString("seed"));
+  QCOMPARE(inputs->item(0, 1)->text(), QString("42"));
+  QCOMPARE(inputs->item(0, 2)->text(), QString("1"));
+  auto* figures = dialog->findChild<QTableWidget*>("compareMetrics");
+  QCOMPARE(figures->rowCount(), 1);
+  QCOMPARE(figures->item(0, 3)->text(), QString("1000"));
+}
+
+void TestRunList::copiesMetrics() {
+  MetricsPanel panel;
+  panel.setMetrics(
+      "Run 1",
+      {{"Euler", {{"max_error_norm", "1", "Largest error", 0.25}}},
+       {"RK4", {{"max_error_norm", "1", "Largest error", 1e-9}, {"time", "s", "Time", 0.5}}}});
+  auto* table = panel.findChild<QTableWidget*>("metricsTable");
+  QCOMPARE(table->rowCount(), 2);
+  QCOMPARE(table->item(0, 0)->text(), QString("max error norm"));
+  QCOMPARE(table->item(0, 2)->text(), QString("0.25"));
+  QCOMPARE(table->item(1, 2)->text(), QString("–"));
+  QTest::mouseClick(panel.findChild<QPushButton*>("copyMetricsCsv"), Qt::LeftButton);
+  QCOMPARE(QGuiApplication::clipboard()->text(),
+           QString("metric,unit,Euler,RK4\nmax_error_norm,1,0.25,1e-09\ntime,s,,0.5\n"));
+  QTest::mouseClick(panel.findChild<QPushButton*>("copyMetricsText"), Qt::LeftButton);
+  QVERIFY(QGuiApplication::clipboard()->text().contains("max_error_norm"));
+}
+
+QTEST_MAIN(TestRunList)
+#include "test_run_list.moc"

@@ -1,0 +1,53 @@
+// The start page: ready experiments as cards, files used last beside them.
+#pragma once
+
+#include <QFutureWatcher>
+#include <QImage>
+#include <QList>
+#include <QWidget>
+#include <memory>
+#include <vector>
+
+#include "ui/shell/gallery_card.h"
+#include "ui/shell/recent_files.h"
+
+class QGridLayout;
+class QVBoxLayout;
+
+namespace rotorbench {
+
+class Gallery : public QWidget {
+  Q_OBJECT
+
+ public:
+  Gallery(RecentFiles& recent, QWidget* parent = nullptr);
+  ~Gallery() override;
+
+ signals:
+  void experimentChosen(const QString& file);
+  void fileChosen(const QString& file);
+  void openRequested();
+  void newRequested();
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void buildCards();
+  QWidget* buildSide();
+  void showRecent();
+  void arrange();
+  void drawPictures();
+
+  RecentFiles& recent_;
+  QWidget* cardArea_ = nullptr;
+  QGridLayout* grid_ = nullptr;
+  QVBoxLayout* recentLayout_ = nullptr;
+  int columns_ = 0;
+  std::vector<GalleryCard*> cards_;
+  QStringList files_;
+  QFutureWatcher<QImage> pictures_;
+};
+
+}  // namespace rotorbench
