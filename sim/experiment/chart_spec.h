@@ -27,7 +27,8 @@ template <>
 struct Describe<ChartSpec> {
   static void fields(schema::Builder<ChartSpec>& b) {
     b.title("chart", "Chart", "One chart of the experiment: which channels it shows over what.");
-    b.text("title", &ChartSpec::title, "Title").help("Stands above the chart and in exported figures.");
+    b.text("title", &ChartSpec::title, "Title")
+        .help("Stands above the chart and in exported figures.");
     b.choice("kind", &ChartSpec::kind, "Kind",
              {schema::Named<ChartKind>{ChartKind::Time, "time", "Over time",
                                        "The channels over the time of the run."},
@@ -38,10 +39,13 @@ struct Describe<ChartSpec> {
         .help("Channel on the horizontal axis of a chart of kind xy; unused over time.");
     b.text("channels", &ChartSpec::channels, "Channels")
         .role(schema::TextRole::Channels)
-        .help("Channel names separated by commas; each * stands for any text without a dot, as in rotor*.thrust.");
+        .help(
+            "Channel names separated by commas; each * stands for any text without a dot, as in "
+            "rotor*.thrust.");
     b.boolean("logX", &ChartSpec::logX, "Logarithmic horizontal axis");
     b.boolean("logY", &ChartSpec::logY, "Logarithmic vertical axis");
-    b.boolean("markers", &ChartSpec::markers, "Markers").help("Marks the samples as well as the line.");
+    b.boolean("markers", &ChartSpec::markers, "Markers")
+        .help("Marks the samples as well as the line.");
   }
 };
 

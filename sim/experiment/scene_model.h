@@ -22,7 +22,7 @@ struct BladeStation {
 struct SceneRotor {
   Eigen::Vector3d position;  ///< hub in the body frame
   Eigen::Vector3d axis;      ///< thrust direction in the body frame, unit length
-  double spin;               ///< +1 counter-clockwise seen against `axis` (from above), -1 clockwise
+  double spin;  ///< +1 counter-clockwise seen against `axis` (from above), -1 clockwise
   double radius;
   int blades;
   std::vector<BladeStation> stations;  ///< root to tip
@@ -44,8 +44,9 @@ struct ScenePose {
   double time = 0;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();
   Eigen::Quaterniond attitude = Eigen::Quaterniond::Identity();  ///< body to inertial
-  std::vector<double> rotorSpeed;   ///< rad/s, not signed by the spin; the view turns the rotors with it
-  std::vector<double> rotorThrust;  ///< N along the rotor axis
+  std::vector<double>
+      rotorSpeed;  ///< rad/s, not signed by the spin; the view turns the rotors with it
+  std::vector<double> rotorThrust;    ///< N along the rotor axis
   std::vector<Eigen::Vector3d> hubs;  ///< body frame, only with elasticArms
   std::optional<Eigen::Vector3d> setPoint;
 };

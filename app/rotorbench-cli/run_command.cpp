@@ -1,0 +1,135 @@
+// run: flies an experiment to its end or to Ctrl-C, then prints and writes what came of it.
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "app/rotorbench-cli/commands.h"
+#include "app/rotorbench-cli/edits.h"
+#include "sim/experiment/simulation.h"
+#include "sim/io/metrics_output.h"
+#include "sim/io/run_files.h"
+
+namespace rotorbench::cli {
+
+namespace {
+
+struct RunOptions {
+  std::string file, output, format = "text";
+  std::vector<std::string> edits;
+};
+
+std::atomic<bool> interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "written by a signal handler");
+
+void onInterrupt(int /*signal*/) {
+  // A second Ctrl-C ends the program the ordinary way.
+  std::signal(SIGINT, SIG_DFL);
+  interrupted.store(true);
+}
+
+/// One line on a terminal, rewritten in place at most ten times a second; nothing if stderr is a file or pipe.
+class ProgressLine {
+ public:
+  void show(const Progress& progress) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    shown_ = true;
+    std::fprintf(stderr, "\r%3.0f %%  t = %.2f s  %s\033[K", 100 * progress.fraction, progress.time,
+                 progress.activity.c_str());
+    std::fflush(stderr);
+  }
+  void clear() const {
+    if (shown_) std::fputs("\r\033[K", stderr);
+  }
+
+ private:
+  bool terminal_ = isatty(STDERR_FILENO) != 0;
+  bool shown_ = false;
+  std::chrono::steady_clock::time_point last_;
+};
+
+void drive(Simulation& simulation) {
+  // Small enough for Ctrl-C and the progress line, large enough not to cost anything.
+  constexpr std::int64_t kSlice = 2000;
+  ProgressLine line;
+  while (simulation.advance(kSlice) == SimulationState::Running) {
+    line.show(simulation.progress());
+    if (interrupted.load()) simulation.stop();
+  }
+  line.clear();
+}
+
+int report(const Simulation& simulation) {
+  if (simulation.failure()) {
+    const auto& failure = *simulation.failure();
+    std::fprintf(stderr, "The run failed at t = %.6g s: %s: %s\n", failure.time,
+                 failure.component.c_str(), failure.message.c_str());
+    return kRunFailed;
+  }
+  if (interrupted.load()) {
+    std::fprintf(stderr, "Interrupted at t = %.6g s; what was recorded until then is kept.\n",
+                 simulation.progress().time);
+    return kRunFailed;
+  }
+  return kOk;
+}
+
+int run(const RunOptions& options) {
+  const Experiment experiment = loadEdited(options.file, options.edits);
+  const auto directory = std::filesystem::path(options.file).parent_path();
+  std::unique_ptr<Simulation> simulation;
+  try {
+    simulation = buildSimulation(experiment, directory);
+  } catch (const InputError& error) {
+    throw InputError(error.source().empty() ? options.file : error.source(), error.problems());
+  }
+  if (!options.output.empty()) prepareRunDirectory(options.output);
+  std::signal(SIGINT, onInterrupt);
+  drive(*simulation);
+  const int code = report(*simulation);
+
+  const MetricTable metrics = simulation->metrics();
+  if (!options.output.empty()) {
+    for (const auto& file :
+         writeRunFiles(options.output, experiment, simulation->runs(), metrics)) {
+      std::cerr << "wrote " << file.string() << '\n';
+    }
+  }
+  if (options.format == "json") {
+    std::cout << metricsJson(experiment.title, metrics);
+  } else if (options.format == "csv") {
+    writeRunsCsv(std::cout, simulation->runs());
+  } else {
+    std::cout << metricsText(metrics);
+  }
+  std::cout.flush();
+  return std::cout ? code : kRunFailed;
+}
+
+}  // namespace
+
+void addRunCommand(CLI::App& app, int& code) {
+  auto options = std::make_shared<RunOptions>();
+  auto* command = app.add_subcommand("run", "Run an experiment file");
+  command->add_option("FILE", options->file, "Experiment file")->required();
+  command->add_option("--set", options->edits, "Change a parameter: path=value (repeatable)")
+      ->allow_extra_args(false)
+      ->type_name("PATH=VALUE");
+  command
+      ->add_option("--output,-o", options->output,
+                   "Directory for experiment, recording (CSV) and metrics")
+      ->type_name("DIR");
+  command
+      ->add_option("--format,-f", options->format,
+                   "What to print: text or json metrics, or the recording as csv")
+      ->check(CLI::IsMember({"text", "json", "csv"}));
+  command->callback([options, &code] { code = run(*options); });
+}
+
+}  // namespace rotorbench::cli

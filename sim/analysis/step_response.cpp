@@ -1,0 +1,58 @@
+#include "sim/analysis/step_response.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rotorbench {
+
+namespace {
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+constexpr double kSettlingBand = 0.02;
+
+/// Time of the first row at which the response has covered `fraction` of the step.
+double firstCrossing(const Recording& recording, const StepWindow& w, double fraction) {
+  const double size = w.after - w.before;
+  for (std::size_t row = w.firstRow; row < w.endRow; ++row) {
+    if ((recording.value(w.channel, row) - w.before) / size >= fraction)
+      return recording.value(0, row);
+  }
+  return kNone;
+}
+
+/// Time of the first row after which the response stays in the band.
+double settledSince(const Recording& recording, const StepWindow& w, double band) {
+  for (std::size_t row = w.endRow; row > w.firstRow; --row) {
+    if (std::abs(recording.value(w.channel, row - 1) - w.after) > band) {
+      return row < w.endRow ? recording.value(0, row) : kNone;
+    }
+  }
+  return recording.value(0, w.firstRow);
+}
+
+}  // namespace
+
+StepFigures stepFigures(const Recording& recording, const StepWindow& w) {
+  StepFigures figures{kNone, kNone, kNone, kNone};
+  if (w.endRow <= w.firstRow) return figures;
+  const std::size_t lastTenth = std::max<std::size_t>(1, (w.endRow - w.firstRow) / 10);
+  figures.restError = 0;
+  for (std::size_t row = w.endRow - lastTenth; row < w.endRow; ++row) {
+    figures.restError =
+        std::max(figures.restError, std::abs(recording.value(w.channel, row) - w.after));
+  }
+  const double size = w.after - w.before;
+  if (size == 0) return figures;
+  figures.overshoot = 0;
+  for (std::size_t row = w.firstRow; row < w.endRow; ++row) {
+    figures.overshoot =
+        std::max(figures.overshoot, (recording.value(w.channel, row) - w.after) / size);
+  }
+  figures.riseTime = firstCrossing(recording, w, 0.9) - firstCrossing(recording, w, 0.1);
+  figures.settlingTime =
+      settledSince(recording, w, kSettlingBand * std::abs(size)) - recording.value(0, w.firstRow);
+  return figures;
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,61 @@
+#include "sim/experiment/flight.h"
+
+#include "sim/experiment/flight_simulation.h"
+#include "sim/experiment/prescribed_pilots.h"
+
+namespace rotorbench {
+
+namespace {
+
+/// The controller's or inputs' part of the build; every alternative of Flight::control has one.
+struct FlightBuilder {
+  const Flight& flight;
+  const OutputSettings& outputs;
+  const std::filesystem::path& directory;
+
+  template <class Pilot>
+  [[nodiscard]] std::unique_ptr<Simulation> fly(Pilot pilot) const {
+    using Plant = typename Pilot::Plant;
+    Plant plant(buildMultirotor<4>(flight.vehicle, flight.environment));
+    return std::make_unique<FlightSimulation<Plant, Pilot>>(flight, outputs, std::move(plant),
+                                                            std::move(pilot));
+  }
+  std::unique_ptr<Simulation> operator()(const SpeedInputs& inputs) const {
+    return fly(SpeedPilot(loadInputs(inputs, directory)));
+  }
+  std::unique_ptr<Simulation> operator()(const VoltageInputs& inputs) const {
+    return fly(VoltagePilot(loadInputs(inputs, directory)));
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> buildFlight(const Flight& flight, const OutputSettings& outputs,
+                                        std::uint64_t /*seed*/,
+                                        const std::filesystem::path& directory) {
+  return std::visit(FlightBuilder{flight, outputs, directory}, flight.control);
+}
+
+void Describe<Flight>::fields(schema::Builder<Flight>& b) {
+  b.title("flight", "Flight",
+          "A multirotor flown by a controller or by inputs laid down in advance.");
+  b.group("vehicle", &Flight::vehicle, "Vehicle");
+  b.variant("control", &Flight::control, "Control");
+  b.group("environment", &Flight::environment, "Environment");
+  b.group("start", &Flight::start, "Start");
+  b.group("solver", &Flight::solver, "Solver");
+  b.number("tick", &Flight::tick, "Tick", "", "s")
+      .range(schema::atLeast(1e-6), schema::upTo(1))
+      .shownIn("ms")
+      .help(
+          "Period of the fastest task: commands are held for this long, and the solver ends a step "
+          "at its end.");
+  b.number("duration", &Flight::duration, "Duration", "T", "s")
+      .range(schema::above(0), schema::upTo(36000));
+  b.check([](const Flight& f, std::vector<Problem>& problems) {
+    if (f.tick > f.duration)
+      problems.push_back({"tick", "is longer than the flight", "at most the duration"});
+  });
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,121 @@
+// The hybrid simulation of a flight. Once a tick the pilot (a controller, or inputs laid down in advance) reads the
+// plant and sets its command; the solver then brings the plant exactly to the next tick. The order of a tick at time
+// t: act, derivative and forces with the new command, record, advance to t + h.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/experiment/flight.h"
+#include "sim/experiment/flight_view.h"
+#include "sim/experiment/simulation_base.h"
+#include "sim/ode/solver.h"
+
+namespace rotorbench {
+
+/// A pilot: channels() declares what it adds to each row, act() sets the command for the tick from t to t + h and
+/// tells whether anything jumped, row() writes the channels of the last act(), figures() adds to the metrics.
+template <class P, class Plant>
+concept FlightPilot = requires(P& p, const P& c, Plant& plant, typename Plant::State& y,
+                               const Recording& recording, std::vector<Metric>& metrics,
+                               double* out) {
+  { c.channels() } -> std::same_as<std::vector<Channel>>;
+  { p.act(double{}, double{}, plant, y) } -> std::same_as<bool>;
+  c.row(out);
+  c.figures(recording, metrics);
+};
+
+/// Figures of any flight: peaks, energy, where it ended.
+void addFlightFigures(const Recording& recording, std::vector<Metric>& metrics);
+
+template <class PlantType, FlightPilot<PlantType> Pilot>
+class FlightSimulation final : public SimulationBase {
+ public:
+  using View = FlightView<PlantType>;
+  using State = typename PlantType::State;
+
+  FlightSimulation(const Flight& flight, const OutputSettings& outputs, PlantType plant,
+                   Pilot pilot)
+      : SimulationBase(flight.tick),
+        duration_(flight.duration),
+        plant_(std::move(plant)),
+        pilot_(std::move(pilot)),
+        solver_(flight.solver, plant_),
+        y_(plant_.initialState(flight.start)),
+        every_(ticksPerRow(outputs, flight.tick)),
+        ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
+    std::vector<Channel> channels{{"time", "s", "Simulated time"}};
+    for (auto& c : View::channels()) channels.push_back(std::move(c));
+    for (auto& c : pilot_.channels()) channels.push_back(std::move(c));
+    row_.resize(channels.size());
+    recording_ = &addRun("Flight", std::move(channels), outputs);
+  }
+
+  SimulationState advance(std::int64_t ticks) override {
+    for (; ticks > 0 && state() == SimulationState::Running; --ticks) tick();
+    recording_->publish();
+    return state();
+  }
+
+  [[nodiscard]] Progress progress() const override {
+    return {static_cast<double>(done_) / static_cast<double>(ticks_), solver_.time(), "flying"};
+  }
+
+  [[nodiscard]] MetricTable metrics() const override {
+    MetricRow figures{runs().front().name, {}};
+    const auto statistics = solver_.statistics();
+    const auto count = [](std::int64_t n) { return static_cast<double>(n); };
+    figures.metrics.push_back({"end_time", "s", "Simulated time at the end", solver_.time()});
+    pilot_.figures(*recording_, figures.metrics);
+    addFlightFigures(*recording_, figures.metrics);
+    figures.metrics.push_back({"steps", "1", "Accepted steps", count(statistics.steps)});
+    figures.metrics.push_back({"evaluations", "1", "Evaluations of the equations of motion",
+                               count(statistics.evaluations)});
+    figures.metrics.push_back(
+        {"rejected", "1", "Steps thrown away by the error control", count(statistics.rejected)});
+    return {figures};
+  }
+
+ private:
+  void tick() {
+    const double t = solver_.time();
+    const double next =
+        done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
+    if (!prepare(t, next - t)) return;
+    if (solver_.advanceTo(next, y_) == ode::Status::Failed) return fail(solver_.runFailure());
+    if (++done_ < ticks_) return;
+    // The last row shows where the flight ended.
+    if (prepare(next, tickSeconds())) end(SimulationState::Finished);
+  }
+
+  /// Everything of a tick but the integration. False if the recording is full.
+  bool prepare(double t, double h) {
+    const bool jumped = pilot_.act(t, h, plant_, y_);
+    plant_.derivativeAndForces(y_, derivative_, forces_);
+    if (jumped) {  // ABM4 keeps its history over ticks where nothing did
+      solver_.restart();
+      solver_.setStartDerivative(derivative_);
+    }
+    if (done_ % every_ != 0 && done_ < ticks_) return true;
+    row_[0] = t;
+    View::row(plant_, y_, forces_, row_.data() + 1);
+    pilot_.row(row_.data() + 1 + View::kCount);
+    const bool kept = recording_->append(row_);
+    if (!kept) failFull(t);
+    return kept;
+  }
+
+  double duration_;
+  PlantType plant_;
+  Pilot pilot_;
+  ode::Solver<PlantType> solver_;
+  State y_, derivative_;
+  typename View::Forces forces_;
+  std::int64_t every_, ticks_, done_ = 0;
+  std::vector<double> row_;
+  Recording* recording_ = nullptr;
+};
+
+}  // namespace rotorbench

@@ -1,0 +1,17 @@
+// Metrics as people and programs read them: an aligned table, or one JSON object.
+#pragma once
+
+#include <string>
+
+#include "sim/core/metrics.h"
+
+namespace rotorbench {
+
+/// One row per metric and one column per run where there are few runs, each number with its unit. UTF-8, '\n'.
+std::string metricsText(const MetricTable& table);
+
+/// {"experiment": title, "metrics": [{"run": …, NAME: number, …}], "units": {NAME: unit}}; a figure that does
+/// not exist is null. Numbers have the shortest digits that read back equal.
+std::string metricsJson(const std::string& experimentTitle, const MetricTable& table);
+
+}  // namespace rotorbench
