@@ -69,12 +69,13 @@ class ExponentialRk4 {
     rests(at, k_[3], n[3]);
     evaluations_ += 3;
 
-    out = y + (h / 6.0) * (k_[0] + 2.0 * (k_[1] + k_[2]) + k_[3]);
+    at = y + (h / 6.0) * (k_[0] + 2.0 * (k_[1] + k_[2]) + k_[3]);
     forPairs([&](auto p, const PairConstants& c) {
-      put(p, out,
+      put(p, at,
           c.expFull * get(p, y) + c.first * n[0][p.i] + c.middle * (n[1][p.i] + n[2][p.i]) +
               c.last * n[3][p.i]);
     });
+    out = at;
   }
 
   void accept() { startKnown_ = false; }

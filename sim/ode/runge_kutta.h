@@ -43,7 +43,7 @@ class RungeKutta {
     return k_[0];
   }
 
-  /// out = the solution at t + h of the system that passes through y at t.
+  /// out = the solution at t + h of the system that passes through y at t; `out` may be `y` itself.
   void step(System& f, double t, double h, const State& y, State& out) {
     start(f, t, y);
     innerStages(f, t, h, y, std::make_integer_sequence<int, kInner>{});
@@ -121,30 +121,29 @@ class RungeKutta {
   }
 
   template <int Row, int J>
-  void addTerm(int i, double& sum) const {
-    if constexpr (weight<Row, J>() != 0.0) sum += weight<Row, J>() * k_[J][i];
+  void addTerm(int i, double h, double& sum) const {
+    if constexpr (weight<Row, J>() != 0.0) sum += (h * weight<Row, J>()) * k_[J][i];
   }
 
+  /// The terms are added in the order of the stages, each one product: the derivative computed last, the one
+  /// everything waits for, passes through one multiplication and one addition only.
   template <int Row, int... J>
-  double weightedSum(int i, std::integer_sequence<int, J...>) const {
-    double sum = 0.0;
-    (addTerm<Row, J>(i, sum), ...);
-    return sum;
+  double weightedSum(int i, double h, double from, std::integer_sequence<int, J...>) const {
+    (addTerm<Row, J>(i, h, from), ...);
+    return from;
   }
 
   /// out = y + h * sum of the first Count derivatives with the weights of the row.
   template <int Row, int Count>
   void combine(const State& y, double h, State& out) const {
-    double* __restrict to = out.data();
     for (int i = 0; i < kSize; ++i) {
-      to[i] = y[i] + h * weightedSum<Row>(i, std::make_integer_sequence<int, Count>{});
+      out[i] = weightedSum<Row>(i, h, y[i], std::make_integer_sequence<int, Count>{});
     }
   }
   template <int Row>
   void scaledSum(double h, State& out) const {
-    double* __restrict to = out.data();
     for (int i = 0; i < kSize; ++i) {
-      to[i] = h * weightedSum<Row>(i, std::make_integer_sequence<int, kStages>{});
+      out[i] = weightedSum<Row>(i, h, 0.0, std::make_integer_sequence<int, kStages>{});
     }
   }
 

@@ -120,40 +120,49 @@ class Solver {
 
   template <class S>
   Status runFixed(S& stepper, double end, State& y, const Watch<State>* watch, bool sampled) {
+    const Division d = divide(end, sampled);
     const double start = time_;
-    const double span = end - start;
-    double h = settings_.step;
-    // A span that is a multiple of the step up to rounding takes the set step itself, so that
-    // neither the history of ABM4 nor the constants of the exponential method are thrown away for
-    // nothing.
-    const double slack = std::max(1e-9, 4.0 * kEpsilon * std::abs(end) / h);
-    const double count = std::clamp(std::ceil(span / h - slack), 1.0, 1e15);
-    double last = h;
-    if (std::abs(count * h - span) > slack * h) {
-      if (sampled) h = span / count;
-      last = sampled ? h : span - (count - 1.0) * h;
-    }
-    State next;
-    const auto steps = static_cast<std::int64_t>(count);
-    for (std::int64_t i = 0; i < steps; ++i) {
-      if (i >= settings_.maximumSteps) return fail(FailureKind::BudgetExceeded, -1, h, i);
-      const bool isLast = i + 1 == steps;
-      const double step = isLast ? last : h;
-      stepper.step(*system_, time_, step, y, next);
-      if (!isFinite(next)) [[unlikely]] {
-        return fail(FailureKind::NonFinite, culprit(stepper, next), step, i);
+    for (std::int64_t i = 0; i < d.steps; ++i) {
+      if (i >= settings_.maximumSteps) return fail(FailureKind::BudgetExceeded, -1, d.step, i);
+      const bool isLast = i + 1 == d.steps;
+      const double h = isLast ? d.last : d.step;
+      const State before = y;
+      stepper.step(*system_, time_, h, y, y);
+      if (!isFinite(y)) [[unlikely]] {
+        const int component = culprit(stepper, y);
+        y = before;
+        return fail(FailureKind::NonFinite, component, h, i);
       }
-      const double reached = isLast ? end : start + static_cast<double>(i + 1) * h;
-      if (!accept(stepper, step, reached, y, next, watch)) return Status::Stopped;
+      const double reached = isLast ? end : start + static_cast<double>(i + 1) * d.step;
+      if (!accept(stepper, h, reached, before, y, watch)) return Status::Stopped;
     }
     return Status::Done;
+  }
+
+  /// How the fixed-step methods go from time_ to `end`.
+  struct Division {
+    double step, last;  ///< s; length of every step but the last, and of the last
+    std::int64_t steps;
+  };
+  /// A span that is a multiple of the set step up to rounding takes the set step itself, so that neither the
+  /// history of ABM4 nor the constants of the exponential method are thrown away for nothing.
+  [[nodiscard]] Division divide(double end, bool sampled) const {
+    const double span = end - time_;
+    const double h = settings_.step;
+    const double slack = std::max(1e-9 * h, 4.0 * kEpsilon * std::abs(end));
+    if (std::abs(span - h) <= slack) return {h, h, 1};
+    const double count = std::clamp(std::ceil((span - slack) / h), 1.0, 1e15);
+    const auto steps = static_cast<std::int64_t>(count);
+    if (std::abs(count * h - span) <= slack) return {h, h, steps};
+    if (sampled) return {span / count, span / count, steps};
+    return {h, span - (count - 1.0) * h, steps};
   }
 
   template <class S>
   Status runAdaptive(S& stepper, double end, State& y, const Watch<State>* watch) {
     if (!(nextStep_ > 0)) nextStep_ = firstStep(stepper, end, y);
     bool finite = true;  // the last try was
-    State next;
+    int worst = -1;      // component to blame for the last rejection
     for (std::int64_t tries = 0; time_ < end; ++tries) {
       const double left = end - time_;
       double h = std::min(nextStep_, maximumStep_);
@@ -164,21 +173,23 @@ class Solver {
       if (tries >= settings_.maximumSteps) return fail(FailureKind::BudgetExceeded, -1, h, tries);
       const double least = std::max(settings_.minimumStep, 4.0 * kEpsilon * std::abs(time_));
       if (h < least && !isLast) [[unlikely]] {
-        return finite ? fail(FailureKind::StepUnderflow, control_.worst(stepper.error(h), y, next),
-                             least, tries)
-                      : fail(FailureKind::NonFinite, culprit(stepper, next), h, tries);
+        return fail(finite ? FailureKind::StepUnderflow : FailureKind::NonFinite, worst, least,
+                    tries);
       }
-      stepper.step(*system_, time_, h, y, next);
-      const double error = control_.norm(stepper.error(h), y, next);
+      const State before = y;
+      stepper.step(*system_, time_, h, y, y);
+      const State e = stepper.error(h);
+      const double error = control_.norm(e, before, y);
       if (error <= 1.0) {
-        finite = true;
         nextStep_ = isCut ? std::max(nextStep_, h * control_.growAfterCut(error))
                           : h * control_.growAfter(error);
-        if (!accept(stepper, h, isLast ? end : time_ + h, y, next, watch)) return Status::Stopped;
+        if (!accept(stepper, h, isLast ? end : time_ + h, before, y, watch)) return Status::Stopped;
       } else {
         finite = std::isfinite(error);
+        worst = finite ? control_.worst(e, before, y) : culprit(stepper, y);
+        y = before;
         if (!finite && firstNonFiniteOf(stepper.start(*system_, time_, y)) >= 0) {
-          return fail(FailureKind::NonFinite, culprit(stepper, next), h, tries);
+          return fail(FailureKind::NonFinite, worst, h, tries);
         }
         ++statistics_.rejected;
         nextStep_ = h * control_.shrinkAfter(error);
@@ -187,24 +198,21 @@ class Solver {
     return Status::Done;
   }
 
-  /// Takes over the step from (time_, y) to (reached, next). False if the watch ends the run there.
+  /// Takes over the step from (time_, before) to (reached, y). False if the watch ends the run there.
   template <class S>
-  bool accept(S& stepper, double h, double reached, State& y, State& next,
+  bool accept(S& stepper, double h, double reached, const State& before, State& y,
               const Watch<State>* watch) {
-    if constexpr (HasAfterStep<System>) system_->afterStep(next);
+    if constexpr (HasAfterStep<System>) system_->afterStep(y);
     ++statistics_.steps;
-    bool goOn = true;
     if (watch == nullptr) {
       stepper.accept();
-      y = next;
       time_ = reached;
-    } else {
-      stepper.accept(*system_, time_, h, y, next, dense_);
-      y = next;
-      time_ = reached;
-      goOn = show(*watch, y);
-      if (!goOn) stepper.restart();
+      return true;
     }
+    stepper.accept(*system_, time_, h, before, y, dense_);
+    time_ = reached;
+    const bool goOn = show(*watch, y);
+    if (!goOn) stepper.restart();
     return goOn;
   }
 
@@ -244,7 +252,13 @@ class Solver {
     return h > 0 ? h : 1e-6;
   }
 
-  static bool isFinite(const State& y) { return (0.0 * y).sum() == 0.0; }
+  /// Zero times a number that is not finite is NaN. Component by component: a packed load of what the step has
+  /// just stored one by one would have to wait for it.
+  static bool isFinite(const State& y) {
+    double sum = 0.0;
+    for (int i = 0; i < y.size(); ++i) sum += 0.0 * y[i];
+    return sum == 0.0;
+  }
 
   template <class S>
   [[gnu::noinline]] static int culprit(const S& stepper, const State& next) {

@@ -92,7 +92,7 @@ struct ThesisErrorControl {
 struct SolverSettings {
   Method method = Method::Rk4;
   double step = 1e-3;  ///< s; step of the fixed-step methods
-  std::variant<ScaledErrorControl, ThesisErrorControl> errorControl;
+  std::variant<ScaledErrorControl, ThesisErrorControl> errorControl{};
   double initialStep = 0;  ///< s; 0: chosen from the derivatives
   double minimumStep = 0;  ///< s; a smaller step is a failure; 0: the resolution of time itself
   double maximumStep = 0;  ///< s; 0: no limit
