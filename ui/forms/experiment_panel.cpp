@@ -1,0 +1,74 @@
+#include "ui/forms/experiment_panel.h"
+
+#include <QSplitter>
+#include <QVBoxLayout>
+
+#include "ui/forms/field_text.h"
+#include "ui/forms/form_style.h"
+#include "ui/forms/parameter_form.h"
+#include "ui/forms/section_tree.h"
+#include "ui/forms/sections.h"
+
+namespace rotorbench {
+
+namespace {
+
+QLocale plainLocale() {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
+  return locale;
+}
+
+}  // namespace
+
+ExperimentPanel::ExperimentPanel(DocumentModel* model, QSettings* settings, QWidget* parent)
+    : QWidget(parent),
+      units_(settings),
+      context_{model, &units_, plainLocale(), {}},
+      tree_(new SectionTree(context_, this)),
+      form_(new ParameterForm(context_, this)) {
+  setObjectName(QStringLiteral("experimentPanel"));
+  auto* splitter = new QSplitter(Qt::Vertical, this);
+  splitter->setObjectName(QStringLiteral("experimentSplitter"));
+  splitter->addWidget(tree_);
+  splitter->addWidget(form_);
+  splitter->setStretchFactor(0, 2);
+  splitter->setStretchFactor(1, 3);
+  splitter->setChildrenCollapsible(false);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(form_style::kGrid, form_style::kGrid, form_style::kGrid, 0);
+  column->addWidget(splitter);
+  model->setValueText([this](const schema::Field& field, const schema::Value& value) {
+    return valueText(field, value, units_.shownUnit(field), context_.locale);
+  });
+  connect(tree_, &SectionTree::sectionSelected, form_, &ParameterForm::showSection);
+  connect(tree_, &SectionTree::placeChosen, this, &ExperimentPanel::jumpTo);
+  connect(form_, &ParameterForm::sectionRequested, this, &ExperimentPanel::showSection);
+}
+
+ExperimentPanel::~ExperimentPanel() {
+  // The children read the units and the context to the end.
+  delete form_;
+  delete tree_;
+  context_.model->setValueText({});
+}
+
+void ExperimentPanel::setChannelNames(std::function<QStringList()> names) {
+  context_.channelNames = std::move(names);
+}
+
+void ExperimentPanel::showSection(const QString& path) {
+  form_->showSection(path);
+  tree_->showSection(form_->section());
+}
+
+void ExperimentPanel::jumpTo(const QString& path) {
+  form_->focusPlace(path);
+  tree_->showSection(form_->section());
+}
+
+void ExperimentPanel::findParameter() {
+  tree_->focusSearch();
+}
+
+}  // namespace rotorbench

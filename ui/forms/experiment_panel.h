@@ -1,0 +1,45 @@
+// The panel at the left of the window: the tree of sections above the form of the chosen one. Give it a document
+// model and it edits that document, whatever its type.
+#pragma once
+
+#include <QWidget>
+
+#include "ui/forms/form_context.h"
+
+class QSettings;
+class QSplitter;
+
+namespace rotorbench {
+
+class ParameterForm;
+class SectionTree;
+
+class ExperimentPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `model` must outlive the panel; `settings` keeps the chosen units and may be null.
+  ExperimentPanel(DocumentModel* model, QSettings* settings, QWidget* parent = nullptr);
+  ~ExperimentPanel() override;
+
+  /// Names offered in fields that hold channel names.
+  void setChannelNames(std::function<QStringList()> names);
+  [[nodiscard]] UnitPreferences* units() { return &units_; }
+  [[nodiscard]] ParameterForm* form() { return form_; }
+  [[nodiscard]] SectionTree* tree() { return tree_; }
+
+ public slots:
+  void showSection(const QString& path);
+  /// Shows the section that holds `path` and puts the focus on its field.
+  void jumpTo(const QString& path);
+  /// Puts the focus into the search line.
+  void findParameter();
+
+ private:
+  UnitPreferences units_;
+  FormContext context_;
+  SectionTree* tree_;
+  ParameterForm* form_;
+};
+
+}  // namespace rotorbench

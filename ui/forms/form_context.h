@@ -1,0 +1,21 @@
+// What every editor of a form shares. Lives as long as the form that hands it out.
+#pragma once
+
+#include <QLocale>
+#include <QStringList>
+#include <functional>
+
+#include "ui/forms/document_model.h"
+#include "ui/forms/unit_preferences.h"
+
+namespace rotorbench {
+
+struct FormContext {
+  DocumentModel* model = nullptr;
+  UnitPreferences* units = nullptr;
+  QLocale locale;
+  /// Names offered where a field holds channel names; may be empty.
+  std::function<QStringList()> channelNames;
+};
+
+}  // namespace rotorbench
