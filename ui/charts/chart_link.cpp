@@ -1,0 +1,36 @@
+#include "ui/charts/chart_link.h"
+
+namespace rotorbench {
+
+void ChartLink::setTimeRange(std::optional<Span> range) {
+  if (range == timeRange_) return;
+  timeRange_ = range;
+  emit timeRangeChanged();
+}
+
+void ChartLink::setFollows(bool follows) {
+  if (follows == follows_) return;
+  follows_ = follows;
+  emit followsChanged(follows);
+}
+
+void ChartLink::newestTime(double time) {
+  if (!follows_ || !timeRange_ || time == timeRange_->high) return;
+  setTimeRange(Span{time - timeRange_->width(), time});
+}
+
+std::optional<double> ChartLink::cursor(Cursor which) const { return which == Cursor::A ? a_ : b_; }
+
+void ChartLink::setCursor(Cursor which, std::optional<double> time) {
+  auto& cursor = which == Cursor::A ? a_ : b_;
+  if (cursor == time) return;
+  cursor = time;
+  emit cursorsChanged();
+}
+
+void ChartLink::moveCursor(Cursor which, std::optional<double> time) {
+  setCursor(which, time);
+  if (which == Cursor::A && time) emit timeCursorMoved(*time);
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,55 @@
+// All channels of the shown runs as a tree, split at the dots of their names, with a search field. Channels are
+// dragged to charts or added by double click or Enter. Running again changes nothing but what is new or gone.
+#pragma once
+
+#include <QSet>
+#include <QStringList>
+#include <QWidget>
+
+class QLineEdit;
+class QSortFilterProxyModel;
+class QStandardItem;
+class QStandardItemModel;
+class QTreeView;
+
+namespace rotorbench {
+
+class RunSet;
+
+class SignalTree : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `runs` outlives the tree.
+  explicit SignalTree(RunSet* runs, QWidget* parent = nullptr);
+
+  [[nodiscard]] QTreeView* view() const { return view_; }
+  [[nodiscard]] QLineEdit* search() const { return search_; }
+  /// Selected channels; a group stands for all channels in it.
+  [[nodiscard]] QStringList selectedChannels() const;
+
+ signals:
+  /// By double click or Enter.
+  void channelsActivated(const QStringList& channels);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void build();
+  void takeChannels();
+  void filter(const QString& text);
+  void expandRemembered();
+  QStandardItem* group(const QString& path);
+
+  RunSet* runs_;
+  QLineEdit* search_;
+  QTreeView* view_;
+  QWidget* hint_;
+  QStandardItemModel* model_;
+  QSortFilterProxyModel* proxy_;
+  QSet<QString> expanded_;
+  bool remembering_ = true;
+};
+
+}  // namespace rotorbench
