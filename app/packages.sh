@@ -14,7 +14,7 @@ run_packages=(
 )
 # shellcheck disable=SC2034
 test_packages=(
-  desktop-file-utils libboost-dev poppler-utils python3-jsonschema shared-mime-info
+  desktop-file-utils libboost-dev poppler-utils python3-jsonschema
 )
 # shellcheck disable=SC2034
 check_packages=(
