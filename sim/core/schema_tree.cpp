@@ -61,6 +61,7 @@ class PathFinder {
  private:
   const Field& takeKey() {
     const std::string_view key = rest_.substr(0, rest_.find_first_of(".["));
+    if (key.empty()) failShape();
     const Field* field = type_->field(key);
     if (field == nullptr) failUnknown(key);
     rest_.remove_prefix(key.size());
