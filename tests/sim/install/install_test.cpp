@@ -34,6 +34,7 @@ class InstallTest : public QObject {
   void shippedExperimentsAreFound();
   void desktopFileIsValid();
   void experimentsHaveAType();
+  void readmeExampleFlies();
 
  private:
   [[nodiscard]] QString path(const QString& relative) const { return folder_.filePath(relative); }
@@ -107,6 +108,21 @@ void InstallTest::experimentsHaveAType() {
   QVERIFY(type.inherits("application/json"));
   QCOMPARE(types.mimeTypeForFile("other.json", QMimeDatabase::MatchExtension).name(),
            QString("application/json"));
+}
+
+void InstallTest::readmeExampleFlies() {
+  QFile readme(SOURCE_DIR "/README.md");
+  QVERIFY(readme.open(QIODevice::ReadOnly));
+  const QString text = QString::fromUtf8(readme.readAll());
+  const QString example = text.section("```json\n", 1).section("```", 0, 0);
+  QVERIFY(!example.isEmpty());
+  QFile file(path("readme.json"));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(example.toUtf8());
+  file.close();
+  const auto done = execute(path("bin/rotorbench-cli"), {"run", file.fileName()}, folder_.path());
+  QVERIFY2(done.code == 0, qPrintable(done.errors));
+  QVERIFY(done.output.contains("altitude_settling_time"));
 }
 
 QTEST_GUILESS_MAIN(InstallTest)
