@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 #include <variant>
 #include <vector>
 
@@ -28,8 +29,8 @@ struct PlusLayout {
 
 /// First rotor ahead to the left, x between the two front rotors. Defaults: DJI F450.
 struct CrossLayout {
-  double arm = 0.23348665914186;  ///< m, centre to hub: 0.1651 m along both axes
-  double height = 0.025;          ///< m
+  double arm = 0.1651 * std::numbers::sqrt2;  ///< m, centre to hub: 0.1651 m along both axes
+  double height = 0.025;                      ///< m
   Spin firstSpin = Spin::CounterClockwise;
   bool operator==(const CrossLayout&) const = default;
 };
