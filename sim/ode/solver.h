@@ -252,12 +252,12 @@ class Solver {
     return h > 0 ? h : 1e-6;
   }
 
-  /// Zero times a number that is not finite is NaN. Component by component: a packed load of what the step has
-  /// just stored one by one would have to wait for it.
+  /// The sum of components is finite unless one of them is not (or beyond 1e307, which is looked at closer).
+  /// Component by component: a packed load of what the step has just stored one by one would wait for it.
   static bool isFinite(const State& y) {
     double sum = 0.0;
-    for (int i = 0; i < y.size(); ++i) sum += 0.0 * y[i];
-    return sum == 0.0;
+    for (int i = 0; i < y.size(); ++i) sum += y[i];
+    return sum - sum == 0.0 || firstNonFiniteOf(y) < 0;
   }
 
   template <class S>
