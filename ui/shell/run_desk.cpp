@@ -1,0 +1,221 @@
+#include "ui/shell/run_desk.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "sim/experiment/scene_model.h"
+#include "ui/charts/chart_grid.h"
+#include "ui/charts/signal_tree.h"
+#include "ui/forms/experiment_panel.h"
+#include "ui/forms/problems_panel.h"
+#include "ui/forms/snapshot.h"
+#include "ui/runs/metrics_panel.h"
+#include "ui/runs/run_colors.h"
+#include "ui/runs/runs_panel.h"
+#include "ui/scene/scene_panel.h"
+#include "ui/shell/log_panel.h"
+
+namespace rotorbench {
+
+namespace {
+
+constexpr int kRedrawMilliseconds = 150;
+
+std::optional<SceneModel> vehicleOf(const Experiment& experiment) {
+  try {
+    return sceneModel(experiment);
+  } catch (const InputError&) {
+    return std::nullopt;  // Problems says why
+  }
+}
+
+}  // namespace
+
+RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
+                 RunController& controller, QObject* parent)
+    : QObject(parent), documents_(documents), bench_(bench), runs_(runs), controller_(controller) {
+  DocumentModel& model = documents_.model();
+  drawTimer_.setSingleShot(true);
+  drawTimer_.setInterval(kRedrawMilliseconds);
+  connect(&drawTimer_, &QTimer::timeout, this, &RunDesk::onDocumentChanged);
+  connect(&model, &DocumentModel::valueChanged, &drawTimer_, qOverload<>(&QTimer::start));
+  connect(&model, &DocumentModel::structureChanged, &drawTimer_, qOverload<>(&QTimer::start));
+  connect(&documents_, &DocumentController::opened, this, &RunDesk::onDocumentOpened);
+  connect(&controller_, &RunController::updated, this, &RunDesk::onUpdated);
+  connect(&controller_, &RunController::stateChanged, this, &RunDesk::onStateChanged);
+  connect(&runs_, &RunList::runsChanged, this, &RunDesk::fillRunSet);
+  connect(&bench_.runs(), &RunsPanel::duplicateRequested, this, &RunDesk::takeOver);
+  connect(&bench_.runs(), &RunsPanel::selected, this, [this](int id) {
+    showRun(id);
+    showMetrics(id);
+  });
+  connect(&bench_.charts(), &ChartGrid::timeCursorMoved, &bench_.scene(), &ScenePanel::setTime);
+  connect(&bench_.scene(), &ScenePanel::timeChanged, &bench_.charts(), &ChartGrid::setTimeCursor);
+  connect(&bench_.signalTree(), &SignalTree::channelsActivated, &bench_.charts(),
+          &ChartGrid::addChannels);
+  connect(&bench_.charts(), &ChartGrid::message, this, &RunDesk::message);
+  connect(&bench_.problems(), &ProblemsPanel::jumpTo, &bench_.experiment(),
+          &ExperimentPanel::jumpTo);
+  bench_.experiment().setChannelNames([this] {
+    QStringList names;
+    for (const Channel& channel : bench_.runSet().channels())
+      names << QString::fromStdString(channel.name);
+    return names;
+  });
+}
+
+bool RunDesk::isPaced(const Experiment& experiment) {
+  return std::holds_alternative<Flight>(experiment.setup);
+}
+
+void RunDesk::setPace(Pace pace) {
+  pace_ = pace;
+  if (isPaced(documents_.experiment())) controller_.setPace(pace_);
+}
+
+void RunDesk::run() {
+  if (controller_.state() == RunState::Paused) return controller_.resume();
+  if (!isActive(controller_.state())) start(false);
+}
+
+void RunDesk::step() {
+  if (isActive(controller_.state())) return controller_.step();
+  start(true);
+  if (isActive(controller_.state())) controller_.step();
+}
+
+void RunDesk::start(bool paused) {
+  documents_.model().commitPendingEdits();
+  if (refuse()) return;
+  controller_.setPace(isPaced(documents_.experiment()) ? pace_ : Pace{});
+  const int id = controller_.start(documents_.experiment(), documents_.directory(), paused);
+  bench_.log().add(tr("%1 started.").arg(runs_.find(id)->name));
+  bench_.runs().select(id);
+  showRun(id);
+}
+
+bool RunDesk::refuse() {
+  if (!documents_.model().hasErrors()) return false;
+  bench_.bringUp(bench_.problems());
+  const auto& problems = documents_.model().problems();
+  const auto first = std::ranges::find(problems, false, &Problem::warning);
+  emit message(tr("Not run. %1").arg(QString::fromStdString(first->message())));
+  return true;
+}
+
+void RunDesk::onDocumentOpened() {
+  controller_.stop();
+  documents_.model().setExtraValidator({});
+  // Runs of another experiment stay in the list but leave the charts.
+  for (const RunRecord& record : std::vector(runs_.records())) runs_.setVisible(record.id, false);
+  runs_.setCurrentExperiment(documents_.experiment());
+  shown_ = 0;
+  bench_.metrics().setMetrics({}, {});
+  drawDocument();
+  fillRunSet();
+}
+
+void RunDesk::onDocumentChanged() {
+  runs_.setCurrentExperiment(documents_.experiment());
+  if (shown_ == 0) drawDocument();
+}
+
+void RunDesk::onUpdated() {
+  if (shown_ == controller_.currentRun() && !sceneBound_) showRun(shown_);
+}
+
+void RunDesk::onStateChanged(RunState state) {
+  const int id = controller_.currentRun();
+  const RunRecord* record = runs_.find(id);
+  if (record == nullptr) return;
+  if (state == RunState::Paused || !isActive(state)) showMetrics(id);
+  if (!isActive(state)) noteEnd(*record);
+}
+
+void RunDesk::noteEnd(const RunRecord& record) {
+  bench_.log().add(tr("%1: %2.").arg(record.name, runDetail(record)));
+  const RunStatus& status = record.status;
+  if (status.failure) {
+    const QString text = QString::fromStdString(status.failure->message);
+    const QString part = QString::fromStdString(status.failure->component);
+    bench_.log().add(part.isEmpty() ? text : tr("%1: %2").arg(part, text));
+    emit message(text);
+  }
+  for (const Problem& problem : status.problems) {
+    bench_.log().add(QString::fromStdString(problem.message()));
+  }
+  if (!status.problems.empty()) {
+    reject(record);
+    bench_.bringUp(bench_.problems());
+  }
+  for (const RunOutput& output : status.outputs) {
+    if (output.recording->stride() > 1) {
+      bench_.log().add(tr("%1 reached the memory limit: one row in %2 was kept at the end.")
+                           .arg(QString::fromStdString(output.name))
+                           .arg(output.recording->stride()));
+    }
+  }
+}
+
+// What only the build can find blocks the next run until an input changes.
+void RunDesk::reject(const RunRecord& record) {
+  documents_.model().setExtraValidator(
+      [this, experiment = record.experiment, problems = record.status.problems](schema::ConstRef) {
+        return sameInputs(experiment, documents_.experiment()) ? problems : std::vector<Problem>{};
+      });
+}
+
+void RunDesk::showRun(int id) {
+  const RunRecord* record = runs_.find(id);
+  if (record == nullptr) return;
+  shown_ = id;
+  sceneBound_ = !record->status.outputs.empty();
+  bench_.scene().setModel(vehicleOf(record->experiment));
+  if (!sceneBound_) return;
+  bench_.scene().setRecording(record->status.outputs.front().recording);
+  if (isActive(record->status.state)) bench_.scene().followLive(true);
+}
+
+void RunDesk::showMetrics(int id) {
+  const RunRecord* record = runs_.find(id);
+  if (record != nullptr) bench_.metrics().setMetrics(record->name, record->status.metrics);
+}
+
+// The runs of one experiment (the methods of a comparison) follow each other in the palette; the colour of the
+// record is that of the first.
+void RunDesk::fillRunSet() {
+  std::vector<ChartRun> shown;
+  for (const RunRecord& record : runs_.records()) {
+    const auto& outputs = record.status.outputs;
+    for (std::size_t i = 0; i < outputs.size(); ++i) {
+      const QString part = QString::fromStdString(outputs[i].name);
+      shown.push_back(
+          {QString("%1/%2").arg(record.id).arg(i),
+           outputs.size() > 1 ? tr("%1 (%2)").arg(part, record.name) : record.name,
+           outputs.size() > 1 ? runColor(record.id - 1 + static_cast<int>(i)) : record.color,
+           outputs[i].recording, record.visible});
+    }
+  }
+  // The oldest first, so that the newest is drawn on top.
+  std::ranges::reverse(shown);
+  bench_.runSet().setRuns(std::move(shown));
+  if (shown_ != 0 && runs_.find(shown_) == nullptr) {
+    shown_ = 0;
+    drawDocument();
+  }
+}
+
+void RunDesk::drawDocument() {
+  bench_.scene().setRecording(nullptr);
+  bench_.scene().setModel(vehicleOf(documents_.experiment()));
+}
+
+void RunDesk::takeOver(int id) {
+  const RunRecord* record = runs_.find(id);
+  if (record == nullptr) return;
+  documents_.model().replaceObject({}, capture(schema::ref(record->experiment)),
+                                   tr("Take over %1").arg(record->name));
+  emit message(tr("The experiment of “%1” is in the editor.").arg(record->name));
+}
+
+}  // namespace rotorbench

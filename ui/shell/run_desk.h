@@ -1,0 +1,58 @@
+// What happens round a run: it is refused while the document has errors, its recordings appear in charts and
+// scene while they grow, its figures and its end are noted, and the scene's time is the charts' cursor.
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+
+#include "ui/runs/run_controller.h"
+#include "ui/shell/document_controller.h"
+#include "ui/shell/workbench.h"
+
+namespace rotorbench {
+
+class RunDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  RunDesk(DocumentController& documents, Workbench& bench, RunList& runs, RunController& controller,
+          QObject* parent = nullptr);
+
+  /// Starts a run, or goes on with a paused one.
+  void run();
+  /// One row further; starts a run that is paused from the beginning if there is none.
+  void step();
+  /// Speed for experiments that are flown; comparisons always run as fast as possible.
+  void setPace(Pace pace);
+  [[nodiscard]] static bool isPaced(const Experiment& experiment);
+
+ signals:
+  /// One sentence for the status bar.
+  void message(const QString& sentence);
+
+ private:
+  void start(bool paused);
+  bool refuse();
+  void onDocumentOpened();
+  void onDocumentChanged();
+  void onUpdated();
+  void onStateChanged(RunState state);
+  void noteEnd(const RunRecord& record);
+  void reject(const RunRecord& record);
+  void showRun(int id);
+  void showMetrics(int id);
+  void fillRunSet();
+  void drawDocument();
+  void takeOver(int id);
+
+  DocumentController& documents_;
+  Workbench& bench_;
+  RunList& runs_;
+  RunController& controller_;
+  QTimer drawTimer_;
+  Pace pace_;
+  int shown_ = 0;            ///< the run in the scene
+  bool sceneBound_ = false;  ///< the shown run's recording is in the scene
+};
+
+}  // namespace rotorbench
