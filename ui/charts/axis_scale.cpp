@@ -35,7 +35,8 @@ Ticks linearTicks(const AxisScale& scale, int most, const QLocale& locale) {
   const double last = std::floor(scale.span.high / step + kRounding);
   for (double i = first; i <= last; i += 1) {
     const double value = i * step;
-    ticks.major.push_back({value, locale.toString(value / unit, 'f', decimals)});
+    QString label = locale.toString(i == 0 ? 0.0 : value / unit, 'f', decimals);
+    ticks.major.push_back({value, label.replace(u'-', QChar(u'−'))});
   }
   return ticks;
 }

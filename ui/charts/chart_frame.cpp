@@ -7,7 +7,7 @@ namespace rotorbench {
 namespace {
 
 constexpr double kPixelsPerXTick = 80;
-constexpr double kPixelsPerYTick = 42;
+constexpr double kPixelsPerYTick = 34;
 constexpr Span kNothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
 
 int tickCount(double pixels, double perTick) { return std::clamp(static_cast<int>(pixels / perTick), 2, 12); }
@@ -17,9 +17,9 @@ void include(Span& span, double value) {
   span.high = std::max(span.high, value);
 }
 
-/// A usable range around the data; `fallback` ticks decide what is nice.
+/// A usable range around the data, rounded to half the distance of ticks so that little room is lost.
 Span fitted(Span data, bool log, int ticks) {
-  const Span nice = niceSpan(data, log, ticks);
+  const Span nice = niceSpan(data, log, 2 * ticks);
   return isUsable(nice, log) ? nice : niceSpan(kNothing, log, ticks);
 }
 

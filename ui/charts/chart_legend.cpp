@@ -12,8 +12,7 @@ namespace {
 constexpr int kSample = 26;
 constexpr int kPadding = 4;
 constexpr int kBetween = 6;
-
-int cellWidth(const QFontMetrics& metrics) { return metrics.horizontalAdvance(QStringLiteral("−0.000000e-00 rad/s")); }
+constexpr double kCellShare = 0.76;  // of a narrow legend; the rest is for the names
 
 }  // namespace
 
@@ -66,7 +65,7 @@ void LegendItem::paintEvent(QPaintEvent*) {
   painter.setFont(font());
   for (int i = 0; i < cells_.size(); ++i) {
     const QRect cell(width() - cells + i * cellWidth_, 0, cellWidth_ - kPadding, height());
-    painter.drawText(cell, Qt::AlignVCenter | Qt::AlignRight, cells_[i]);
+    painter.drawText(cell, Qt::AlignVCenter | Qt::AlignRight, metrics.elidedText(cells_[i], Qt::ElideRight, cell.width()));
   }
 }
 
@@ -121,12 +120,23 @@ void ChartLegend::setEntries(const std::vector<LegendEntry>& entries) {
 void ChartLegend::setReadouts(const QStringList& heads, const std::vector<QStringList>& cells) {
   const bool changed = heads.size() != heads_.size();
   heads_ = heads;
-  const int width = cellWidth(QFontMetrics(font()));
+  if (changed) widestCell_ = 0;
+  const QFontMetrics metrics(font());
+  const auto measure = [&](const QStringList& texts) {
+    for (const QString& text : texts) widestCell_ = std::max(widestCell_, metrics.horizontalAdvance(text) + 3 * kPadding);
+  };
+  measure(heads);
+  for (const auto& row : cells) measure(row);
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    items_[i]->setCells(i < cells.size() && !heads.isEmpty() ? cells[i] : QStringList(), width);
+    items_[i]->setCells(i < cells.size() && !heads.isEmpty() ? cells[i] : QStringList(), cellWidth());
   }
   if (changed) arrange();
   body_->update();
+}
+
+int ChartLegend::cellWidth() const {
+  const auto columns = std::max<qsizetype>(1, heads_.size());
+  return std::min(widestCell_, static_cast<int>(kCellShare * viewport()->width() / static_cast<double>(columns)));
 }
 
 void ChartLegend::setMostHeight(int height) {
@@ -158,6 +168,7 @@ void ChartLegend::arrange() {
       y += rowHeight;
     }
     item->setGeometry(x, y, wanted, rowHeight);
+    item->setCells(item->cells(), cellWidth());
     x += wanted + kBetween;
   }
   const int content = items_.empty() && !table ? 0 : y + rowHeight + 2;
@@ -170,7 +181,7 @@ void ChartLegend::paintHeads() {
   const ChartTheme theme = ChartTheme::of(palette());
   const QFontMetrics metrics(font());
   painter.setPen(theme.dimText);
-  const int cell = cellWidth(metrics);
+  const int cell = cellWidth();
   int x = body_->width() - kBetween - static_cast<int>(heads_.size()) * cell;
   for (const QString& head : heads_) {
     painter.drawText(QRect(x, 0, cell - kPadding, metrics.height() + 2), Qt::AlignRight | Qt::AlignVCenter, head);

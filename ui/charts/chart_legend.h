@@ -71,6 +71,7 @@ class ChartLegend : public QScrollArea {
 
  private:
   void arrange();
+  [[nodiscard]] int cellWidth() const;
   void paintHeads();
   void askMenu(LegendItem* item, QPoint globalPosition);
 
@@ -78,6 +79,7 @@ class ChartLegend : public QScrollArea {
   std::vector<LegendItem*> items_;
   QStringList heads_;
   int mostHeight_ = 120;
+  int widestCell_ = 0;  ///< grows while cursors are set, so that columns stay in place
 };
 
 }  // namespace rotorbench

@@ -72,6 +72,7 @@ class ChartPane : public QFrame {
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
@@ -82,6 +83,7 @@ class ChartPane : public QFrame {
   void build();
   void buildMenu();
   void fillRemoveMenu();
+  void updateIcons();
   void edit(ChartSpec spec);
   void takeCurves();
   void updateHint();
@@ -104,6 +106,7 @@ class ChartPane : public QFrame {
   bool stale_ = true;
   bool dropHere_ = false;
   bool current_ = false;
+  bool maximized_ = false;
   std::size_t rowsShown_ = 0;
   bool growingShown_ = false;
 

@@ -1,7 +1,9 @@
 // The widgets and the menu of a ChartPane.
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -12,16 +14,26 @@
 namespace rotorbench {
 namespace {
 
-QToolButton* headerButton(QWidget* parent, const QString& name, const QString& label, const QString& icon,
-                          const QString& sign) {
+/// The icon in the colour of the text, so that it is seen on light and dark grounds; a sign if there is none.
+void setSign(QToolButton* button, const QString& iconName, const QString& sign) {
+  const QIcon icon = QIcon::fromTheme(iconName);
+  button->setText(icon.isNull() ? sign : QString());
+  if (icon.isNull()) return button->setIcon({});
+  QPixmap pixmap = icon.pixmap(QSize(16, 16), button->devicePixelRatioF());
+  QPainter painter(&pixmap);
+  painter.setCompositionMode(QPainter::CompositionMode_SourceIn);
+  painter.fillRect(pixmap.rect(), button->palette().color(QPalette::Text));
+  painter.end();
+  button->setIcon(pixmap);
+}
+
+QToolButton* headerButton(QWidget* parent, const QString& name, const QString& label) {
   auto* button = new QToolButton(parent);
   button->setObjectName(name);
   button->setAccessibleName(label);
   button->setToolTip(label);
   button->setAutoRaise(true);
   button->setIconSize({16, 16});
-  button->setIcon(QIcon::fromTheme(icon));
-  if (button->icon().isNull()) button->setText(sign);
   return button;
 }
 
@@ -46,13 +58,12 @@ void ChartPane::build() {
     spec.title = title_->text().trimmed().toStdString();
     edit(spec);
   });
-  maximizeButton_ = headerButton(this, QStringLiteral("maximizeChart"), tr("Show only this chart"),
-                                 QStringLiteral("view-fullscreen"), QStringLiteral("□"));
+  maximizeButton_ = headerButton(this, QStringLiteral("maximizeChart"), tr("Show only this chart"));
   connect(maximizeButton_, &QToolButton::clicked, this, &ChartPane::maximizeAsked);
-  menuButton_ = headerButton(this, QStringLiteral("chartMenuButton"), tr("Chart menu"),
-                             QStringLiteral("application-menu"), QStringLiteral("⋮"));
+  menuButton_ = headerButton(this, QStringLiteral("chartMenuButton"), tr("Chart menu"));
   menuButton_->setPopupMode(QToolButton::InstantPopup);
   menuButton_->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
+  updateIcons();
   plot_ = new PlotWidget(link_, this);
   legend_ = new ChartLegend(this);
   QFont small = font();
@@ -141,12 +152,25 @@ void ChartPane::fillRemoveMenu() {
 }
 
 void ChartPane::setMaximized(bool maximized) {
+  maximized_ = maximized;
   const QString label = maximized ? tr("Show all charts") : tr("Show only this chart");
   maximizeButton_->setToolTip(label);
   maximizeButton_->setAccessibleName(label);
-  const QIcon icon = QIcon::fromTheme(maximized ? QStringLiteral("view-restore") : QStringLiteral("view-fullscreen"));
-  maximizeButton_->setIcon(icon);
-  if (icon.isNull()) maximizeButton_->setText(maximized ? QStringLiteral("▣") : QStringLiteral("□"));
+  updateIcons();
+}
+
+void ChartPane::updateIcons() {
+  if (maximized_) {
+    setSign(maximizeButton_, QStringLiteral("view-restore"), QStringLiteral("▣"));
+  } else {
+    setSign(maximizeButton_, QStringLiteral("view-fullscreen"), QStringLiteral("□"));
+  }
+  setSign(menuButton_, QStringLiteral("application-menu"), QStringLiteral("⋮"));
+}
+
+void ChartPane::changeEvent(QEvent* event) {
+  QFrame::changeEvent(event);
+  if (event->type() == QEvent::PaletteChange && menuButton_) updateIcons();
 }
 
 }  // namespace rotorbench

@@ -3,7 +3,9 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ui/charts/plot_widget.h"
 
@@ -71,12 +73,16 @@ void PlotWidget::panBy(QPointF unitShift, const ChartView& from, const ChartFram
 }
 
 void PlotWidget::chooseBand() {
-  const QRectF band = QRectF(press_, last_).normalized() & layout_.plot;
+  const QRectF band = QRectF(press_, last_).normalized();
   const bool wide = band.width() >= kThinBand;
   const bool tall = band.height() >= kThinBand;
   if (!wide && !tall) return;
-  const QPointF low = toUnit(band.bottomLeft());
-  const QPointF high = toUnit(band.topRight());
+  const auto inside = [this](QPointF pixel) {
+    const QPointF unit = toUnit(pixel);
+    return QPointF(std::clamp(unit.x(), 0.0, 1.0), std::clamp(unit.y(), 0.0, 1.0));
+  };
+  const QPointF low = inside(band.bottomLeft());
+  const QPointF high = inside(band.topRight());
   ChartView view = content_.view;
   const auto& frame = content_.frame;
   if (wide) chooseX(view, frame.x, part(frame.x.scale, low.x(), high.x()));

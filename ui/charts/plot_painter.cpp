@@ -90,7 +90,8 @@ PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& 
   std::vector<qreal> stripWidths;
   for (std::size_t i = 0; i < frame.y.size(); ++i) {
     widths[i] = std::max(widths[i], labelWidth(frame.y[i], metrics));
-    stripWidths.push_back(kTick + kGap + widths[i] + kGap + metrics.height());
+    const qreal apart = i >= 2 ? kOuter : 0;
+    stripWidths.push_back(kTick + kGap + widths[i] + kGap + metrics.height() + apart);
     (isLeft(i) ? left : right) += stripWidths.back();
   }
   if (frame.y.empty()) left += kTick + metrics.horizontalAdvance(kLeastLabel);
@@ -106,8 +107,10 @@ PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& 
   qreal fromLeft = layout.plot.left();
   qreal fromRight = layout.plot.right();
   for (std::size_t i = 0; i < frame.y.size(); ++i) {
-    const qreal width = stripWidths[i];
-    const qreal x = isLeft(i) ? (fromLeft -= width) : (fromRight += width) - width;
+    // An outer axis keeps its distance from the title of the inner one.
+    const qreal apart = i >= 2 ? kOuter : 0;
+    const qreal width = stripWidths[i] - apart;
+    const qreal x = isLeft(i) ? (fromLeft -= width + apart) : (fromRight += width + apart) - width;
     layout.yStrips.emplace_back(x, layout.plot.top(), width, layout.plot.height());
   }
   return layout;
