@@ -63,11 +63,11 @@ class Abm4 {
     history_ = std::min(history_ + 1, 3);
     startKnown_ = false;
   }
-  void accept(System& f, double t, double h, const State& y0, const State& y1,
+  void accept(System& f, double t, double end, double h, const State& y0, const State& y1,
               DenseOutput<State>& dense) {
     const State first = past(0);
     accept();
-    dense.setHermite(t, h, y0, first, y1, start(f, t + h, y1));
+    dense.setHermite(t, h, y0, first, y1, start(f, end, y1));
   }
 
   [[nodiscard]] int firstNonFinite() const {

@@ -79,11 +79,11 @@ class ExponentialRk4 {
   }
 
   void accept() { startKnown_ = false; }
-  void accept(System& f, double t, double h, const State& y0, const State& y1,
+  void accept(System& f, double t, double end, double h, const State& y0, const State& y1,
               DenseOutput<State>& dense) {
     const State first = k_[0];
     startKnown_ = false;
-    dense.setHermite(t, h, y0, first, y1, start(f, t + h, y1));
+    dense.setHermite(t, h, y0, first, y1, start(f, end, y1));
   }
 
   [[nodiscard]] int firstNonFinite() const {

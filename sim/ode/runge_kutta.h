@@ -71,15 +71,15 @@ class RungeKutta {
     }
   }
 
-  /// Like accept(), and fills `dense` for the step from (t, y0) to (t + h, y1).
-  void accept(System& f, double t, double h, const State& y0, const State& y1,
-              DenseOutput<State>& dense) {
+  /// Like accept(), and fills `dense` for the step from (t, y0) to (end, y1), end = t + h up to rounding.
+  void accept(System& f, double t, [[maybe_unused]] double end, double h, const State& y0,
+              const State& y1, DenseOutput<State>& dense) {
     const State first = k_[0];
     State last;
     if constexpr (Tableau::kFirstSameAsLast) {
       last = k_[kStages - 1];
     } else {
-      f(t + h, y1, last);
+      f(end, y1, last);
       ++evaluations_;
     }
     dense.setHermite(t, h, y0, first, y1, last);

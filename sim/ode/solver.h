@@ -162,7 +162,8 @@ class Solver {
   Status runAdaptive(S& stepper, double end, State& y, const Watch<State>* watch) {
     if (!(nextStep_ > 0)) nextStep_ = firstStep(stepper, end, y);
     bool finite = true;  // the last try was
-    int worst = -1;      // component to blame for the last rejection
+    int culpritIndex = -1;
+    State e = State::Zero();
     for (std::int64_t tries = 0; time_ < end; ++tries) {
       const double left = end - time_;
       double h = std::min(nextStep_, maximumStep_);
@@ -173,12 +174,12 @@ class Solver {
       if (tries >= settings_.maximumSteps) return fail(FailureKind::BudgetExceeded, -1, h, tries);
       const double least = std::max(settings_.minimumStep, 4.0 * kEpsilon * std::abs(time_));
       if (h < least && !isLast) [[unlikely]] {
-        return fail(finite ? FailureKind::StepUnderflow : FailureKind::NonFinite, worst, least,
-                    tries);
+        return finite ? fail(FailureKind::StepUnderflow, control_.worst(e, y, y), least, tries)
+                      : fail(FailureKind::NonFinite, culpritIndex, least, tries);
       }
       const State before = y;
       stepper.step(*system_, time_, h, y, y);
-      const State e = stepper.error(h);
+      e = stepper.error(h);
       const double error = control_.norm(e, before, y);
       if (error <= 1.0) {
         nextStep_ = isCut ? std::max(nextStep_, h * control_.growAfterCut(error))
@@ -186,10 +187,10 @@ class Solver {
         if (!accept(stepper, h, isLast ? end : time_ + h, before, y, watch)) return Status::Stopped;
       } else {
         finite = std::isfinite(error);
-        worst = finite ? control_.worst(e, before, y) : culprit(stepper, y);
+        if (!finite) culpritIndex = culprit(stepper, y);
         y = before;
         if (!finite && firstNonFiniteOf(stepper.start(*system_, time_, y)) >= 0) {
-          return fail(FailureKind::NonFinite, worst, h, tries);
+          return fail(FailureKind::NonFinite, culpritIndex, h, tries);
         }
         ++statistics_.rejected;
         nextStep_ = h * control_.shrinkAfter(error);
@@ -209,7 +210,7 @@ class Solver {
       time_ = reached;
       return true;
     }
-    stepper.accept(*system_, time_, h, before, y, dense_);
+    stepper.accept(*system_, time_, reached, h, before, y, dense_);
     time_ = reached;
     const bool goOn = show(*watch, y);
     if (!goOn) stepper.restart();
