@@ -146,7 +146,7 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   const double inertia = 6.05e-5, drag = 2.621e-7, h = 1e-5;
   MotorSpeedController controller(settings, m, inertia, drag);
   double w = from, i = m.steadyCurrent(from, drag * from * from), v = 0, most = 0, least = 100;
-  for (int k = 0; k < 200000; ++k) {
+  for (int k = 0; k < 500000; ++k) {
     if (k % 100 == 0) v = controller.update(to, w, 11.1);
     QVERIFY(v >= 0 && v <= 11.1);
     // Semi-implicit in the current, whose pole is fast.

@@ -1,3 +1,4 @@
+#include <Eigen/Core>  // AutoDiff does not include it itself
 #include <QtTest>
 #include <unsupported/Eigen/AutoDiff>
 

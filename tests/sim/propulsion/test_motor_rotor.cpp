@@ -61,7 +61,7 @@ void TestMotorRotor::linearMotorFollowsClosedForm() {
   const double root = std::sqrt((a - d) * (a - d) / 4 + b * c);
   const double l1 = (a + d) / 2 + root, l2 = (a + d) / 2 - root;
   // Steady state, then the modes that bring it there from rest.
-  const double speed = -b * v / 1e-3 / (a * d - b * c), current = -a * speed / b;
+  const double speed = b * v / 1e-3 / (a * d - b * c), current = -a * speed / b;
   const double x2 = (-b * current - (l1 - a) * -speed) / (l2 - l1), x1 = -speed - x2;
 
   double w = 0, i = 0;
