@@ -15,8 +15,12 @@ FieldEditor::FieldEditor(const FormContext& context, const schema::Field& field,
                          QWidget* parent)
     : QWidget(parent), context_(context), field_(field), path_(std::move(path)) {}
 
-void FieldEditor::focusPlace(const QString&) {
-  inputWidget()->setFocus(Qt::OtherFocusReason);
+QWidget* FieldEditor::inputFor(const QString&) {
+  return inputWidget();
+}
+
+void FieldEditor::focusPlace(const QString& path) {
+  inputFor(path)->setFocus(Qt::OtherFocusReason);
 }
 
 void FieldEditor::labelClicked() {

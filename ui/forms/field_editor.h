@@ -30,7 +30,7 @@ class FieldEditor : public QWidget {
   /// The unit in which numbers are shown has changed.
   virtual void unitsChanged() {}
   /// Puts the keyboard focus on the place `path`, at or below this field.
-  virtual void focusPlace(const QString& path);
+  void focusPlace(const QString& path);
   /// What a click on the label does besides taking the focus.
   virtual void labelClicked();
   /// True if the editor wants the whole width below its label.
@@ -39,6 +39,8 @@ class FieldEditor : public QWidget {
   [[nodiscard]] virtual QWidget* unitWidget() { return nullptr; }
   /// The widget that takes the focus and speaks to screen readers.
   [[nodiscard]] virtual QWidget* inputWidget() = 0;
+  /// The widget for a place at or below this field (a component of a vector).
+  [[nodiscard]] virtual QWidget* inputFor(const QString& path);
 
  signals:
   /// While typing: what is wrong with the present text, empty if nothing.

@@ -179,6 +179,7 @@ QString placeText(schema::ConstRef root, const QString& path) {
     } catch (const InputError&) {
       return false;
     }
+    if (at.element && at.field->kind != Kind::List) return false;
     names +=
         at.element ? elementTitle(*at.field, at.owner, *at.element) : toQString(at.field->label);
     return true;

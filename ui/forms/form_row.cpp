@@ -69,7 +69,7 @@ void FormRow::makeMarker(QWidget* content) {
   QSizePolicy keepPlace = marker_->sizePolicy();
   keepPlace.setRetainSizeWhenHidden(true);
   marker_->setSizePolicy(keepPlace);
-  form_style::setTextColour(marker_, content->palette().color(QPalette::Link));
+  form_style::setTextColour(marker_, content->palette().color(QPalette::Highlight));
   connect(marker_, &QToolButton::clicked, this, &FormRow::resetToDefault);
 }
 
@@ -167,7 +167,12 @@ void FormRow::setVisible(bool visible) {
   message_->setVisible(visible && !message_->text().isEmpty());
 }
 
-void FormRow::setProblem(Severity severity, const QString& sentence) {
+void FormRow::makeHead() {
+  form_style::setFontScale(label_, 1.0, true);
+}
+
+void FormRow::setProblem(Severity severity, const QString& sentence, const QString& place) {
+  frame_->setTarget(editor_->inputFor(place));
   if (severity == severity_ && sentence == sentence_ && typing_.isEmpty()) return;
   severity_ = severity;
   sentence_ = sentence;

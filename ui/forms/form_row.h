@@ -44,7 +44,9 @@ class FormRow : public QObject {
   void unitsChanged();
   void setVisible(bool visible);
   /// What the document finds wrong here; None clears it.
-  void setProblem(form_style::Severity severity, const QString& sentence);
+  void setProblem(form_style::Severity severity, const QString& sentence, const QString& place);
+  /// Shows the row as the head of a part (the choice of a variant above its fields).
+  void makeHead();
   void resetToDefault();
   /// From now on the editor no longer writes to the document.
   void detach();

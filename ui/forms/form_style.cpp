@@ -103,6 +103,13 @@ Frame::Frame(QWidget* target) : QWidget(target) {
   hide();
 }
 
+void Frame::setTarget(QWidget* target) {
+  if (target == parentWidget()) return;
+  parentWidget()->removeEventFilter(this);
+  setParent(target);
+  target->installEventFilter(this);
+}
+
 void Frame::setSeverity(Severity severity) {
   severity_ = severity;
   setGeometry(parentWidget()->rect());

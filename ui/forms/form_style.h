@@ -37,6 +37,8 @@ class Frame : public QWidget {
 
  public:
   explicit Frame(QWidget* target);
+  /// Moves the frame to another widget.
+  void setTarget(QWidget* target);
   void setSeverity(Severity severity);
 
  protected:

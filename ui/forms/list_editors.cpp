@@ -164,8 +164,9 @@ void TableEditor::fitHeight() {
   constexpr int kFewest = 4;
   constexpr int kMost = 16;
   const int shown = std::clamp(count() + 1, kFewest, kMost);
-  view_->setMinimumHeight(view_->horizontalHeader()->sizeHint().height() +
-                          shown * view_->verticalHeader()->defaultSectionSize() + 4);
+  const int bars = view_->horizontalHeader()->sizeHint().height() +
+                   view_->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+  view_->setFixedHeight(bars + shown * view_->verticalHeader()->defaultSectionSize() + 4);
 }
 
 void TableEditor::reload() {

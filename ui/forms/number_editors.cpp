@@ -145,11 +145,11 @@ void VectorEditor::unitsChanged() {
   unit_->refresh();
 }
 
-void VectorEditor::focusPlace(const QString& place) {
+QWidget* VectorEditor::inputFor(const QString& place) {
   for (auto* edit : edits_) {
-    if (edit->objectName() == place) return edit->setFocus(Qt::OtherFocusReason);
+    if (edit->objectName() == place) return edit;
   }
-  FieldEditor::focusPlace(place);
+  return edits_.front();
 }
 
 }  // namespace rotorbench

@@ -35,10 +35,10 @@ class VectorEditor : public FieldEditor {
   void refresh() override;
   void commit() override;
   void unitsChanged() override;
-  void focusPlace(const QString& place) override;
   [[nodiscard]] bool isWide() const override { return true; }
   [[nodiscard]] QWidget* unitWidget() override { return unit_; }
   [[nodiscard]] QWidget* inputWidget() override { return edits_.front(); }
+  [[nodiscard]] QWidget* inputFor(const QString& place) override;
 
  private:
   void addComponent(std::size_t index);

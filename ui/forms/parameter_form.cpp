@@ -198,18 +198,28 @@ void ParameterForm::addSection() {
   addObject(*object, section_);
 }
 
-void ParameterForm::addObject(schema::ConstRef object, const QString& path) {
-  bool hasAdvanced = false;
-  for (const auto& field : object.type->fields) {
-    hasAdvanced = hasAdvanced || field.advanced;
-    if (!field.advanced) addField(object, field, joinPath(path, toQString(field.key)));
+void ParameterForm::addFields(schema::ConstRef object, const QString& path, bool advanced) {
+  // Fields first: after a titled part they would seem to belong to it.
+  const auto isPart = [&](const schema::Field& field) {
+    return !field.isLeaf() && isInline(field, object.object);
+  };
+  for (const bool parts : {false, true}) {
+    for (const auto& field : object.type->fields) {
+      if (field.advanced != advanced || isPart(field) != parts) continue;
+      addField(object, field, joinPath(path, toQString(field.key)));
+    }
   }
+}
+
+void ParameterForm::addObject(schema::ConstRef object, const QString& path) {
+  addFields(object, path, false);
+  const auto& fields = object.type->fields;
+  const bool hasAdvanced =
+      std::any_of(fields.begin(), fields.end(), [](const auto& field) { return field.advanced; });
   if (!hasAdvanced) return;
   const bool nested = collecting_ != nullptr;
   if (!nested) addMore(toQString(object.type->key));
-  for (const auto& field : object.type->fields) {
-    if (field.advanced) addField(object, field, joinPath(path, toQString(field.key)));
-  }
+  addFields(object, path, true);
   if (!nested) collecting_ = nullptr;
 }
 
@@ -218,7 +228,8 @@ void ParameterForm::addField(schema::ConstRef object, const schema::Field& field
   const bool here = isInline(field, object.object);
   if (field.kind == Kind::List && here) return addList(field, path, true);
   if (field.kind != Kind::Group || !here) {
-    addRow(makeFieldEditor(context_, field, path, !here, content_));
+    FormRow* row = addRow(makeFieldEditor(context_, field, path, !here, content_));
+    if (field.kind == Kind::Variant && here) row->makeHead();
   }
   if (field.isLeaf() || !here) return;
   const schema::ConstRef child(&field.childType(object.object, 0), field.child_(object.object, 0));
@@ -230,12 +241,13 @@ void ParameterForm::addField(schema::ConstRef object, const schema::Field& field
   addObject(child, path);
 }
 
-void ParameterForm::addRow(FieldEditor* editor) {
+FormRow* ParameterForm::addRow(FieldEditor* editor) {
   auto* row = new FormRow(context_, editor, content_);
   nextRow_ = row->place(grid_, nextRow_);
   rows_.push_back(row);
   if (collecting_ != nullptr) collecting_->rows.push_back(row);
   connect(editor, &FieldEditor::openRequested, this, &ParameterForm::sectionRequested);
+  return row;
 }
 
 void ParameterForm::addList(const schema::Field& field, const QString& path, bool titled) {
@@ -345,7 +357,7 @@ void ParameterForm::showProblems() {
     row->setProblem(!problem           ? Severity::None
                     : problem->warning ? Severity::Warning
                                        : Severity::Error,
-                    sentence);
+                    sentence, problem ? toQString(problem->path) : row->path());
   }
   for (auto& [list, editor] : lists_) editor->refresh();
   headMessage_->setText(ofSection ? problemSentence(*ofSection) : QString());

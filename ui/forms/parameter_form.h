@@ -51,8 +51,9 @@ class ParameterForm : public QScrollArea {
   void addText(const QString& text, bool dimmed);
   void addSection();
   void addObject(schema::ConstRef object, const QString& path);
+  void addFields(schema::ConstRef object, const QString& path, bool advanced);
   void addField(schema::ConstRef object, const schema::Field& field, const QString& path);
-  void addRow(FieldEditor* editor);
+  FormRow* addRow(FieldEditor* editor);
   void addList(const schema::Field& field, const QString& path, bool titled);
   void addTitle(const QString& title, const QString& help);
   void addMore(const QString& key);

@@ -255,7 +255,7 @@ void SectionTree::updateMark(QTreeWidgetItem* item) {
     item->setIcon(1, form_style::severityIcon(severity, palette()));
     state = sentence;
   } else if (changed) {
-    item->setIcon(1, form_style::discIcon(palette().color(QPalette::Link)));
+    item->setIcon(1, form_style::discIcon(palette().color(QPalette::Highlight)));
     state = tr("Changed from the default.");
   } else {
     item->setIcon(1, QIcon());

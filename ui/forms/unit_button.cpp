@@ -51,8 +51,6 @@ void UnitButton::refresh() {
   const QString unit = prettyUnit(context_.units->shownUnit(field_));
   setText(unit);
   setAccessibleName(tr("Unit of %1: %2").arg(toQString(field_.label), unit));
-  // A plain number has room for its per cent choice, but shows no empty button.
-  if (unit.isEmpty() && focusPolicy() != Qt::NoFocus) setText(QStringLiteral("–"));
 }
 
 void UnitButton::showMenu() {

@@ -35,6 +35,8 @@ QString UnitPreferences::shownUnit(const schema::Field& field) const {
 }
 
 QStringList UnitPreferences::choices(const schema::Field& field) {
+  // A plain number is not asked for in per cent unless it was declared so.
+  if (field.displayUnit == "1") return {QStringLiteral("1")};
   QStringList symbols;
   for (const Unit* unit : unitsLike(field.unit)) {
     symbols += QString::fromUtf8(unit->symbol.data(), static_cast<qsizetype>(unit->symbol.size()));
