@@ -1,6 +1,7 @@
 #include "sim/experiment/flight.h"
 
 #include "sim/experiment/flight_simulation.h"
+#include "sim/experiment/pid_pilot.h"
 #include "sim/experiment/prescribed_pilots.h"
 
 namespace rotorbench {
@@ -19,6 +20,11 @@ struct FlightBuilder {
     Plant plant(buildMultirotor<4>(flight.vehicle, flight.environment));
     return std::make_unique<FlightSimulation<Plant, Pilot>>(flight, outputs, std::move(plant),
                                                             std::move(pilot));
+  }
+  std::unique_ptr<Simulation> operator()(const PidControl& control) const {
+    // The controller flies the vehicle as planned; deviations are what it does not know.
+    const auto planned = buildMultirotor<4>(flight.vehicle, flight.environment, true);
+    return fly(PidPilot(control, controlModel<4>(planned), flight.tick));
   }
   std::unique_ptr<Simulation> operator()(const SpeedInputs& inputs) const {
     return fly(SpeedPilot(loadInputs(inputs, directory)));
@@ -41,6 +47,7 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
           "A multirotor flown by a controller or by inputs laid down in advance.");
   b.group("vehicle", &Flight::vehicle, "Vehicle");
   b.variant("control", &Flight::control, "Control");
+  b.variant("sensors", &Flight::sensors, "Sensors");
   b.group("environment", &Flight::environment, "Environment");
   b.group("start", &Flight::start, "Start");
   b.group("solver", &Flight::solver, "Solver");

@@ -8,9 +8,11 @@
 
 #include "sim/core/schema.h"
 #include "sim/environment/environment.h"
+#include "sim/experiment/pid_control.h"
 #include "sim/experiment/prescribed_inputs.h"
 #include "sim/experiment/simulation.h"
 #include "sim/ode/solver_settings.h"
+#include "sim/sensing/measurement.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {
@@ -19,7 +21,8 @@ struct OutputSettings;
 
 struct Flight {
   VehicleParameters vehicle;
-  std::variant<SpeedInputs, VoltageInputs> control;
+  std::variant<PidControl, SpeedInputs, VoltageInputs> control;
+  SensorModel sensors;
   EnvironmentParameters environment;
   FlightStart start;
   ode::SolverSettings solver{.method = ode::Method::ExponentialRk4, .step = 1e-3};

@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "sim/core/metrics.h"
+#include "sim/core/recording.h"
 #include "sim/experiment/prescribed_inputs.h"
 #include "sim/vehicle/multirotor.h"
 

@@ -1,0 +1,95 @@
+#include "sim/experiment/pid_pilot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "sim/analysis/step_response.h"
+
+namespace rotorbench {
+
+namespace {
+
+InputSignal signalOf(const PidControl& control) {
+  std::vector<InputSignal::Sample> samples;
+  samples.reserve(control.setPoints.size());
+  for (const auto& row : control.setPoints) {
+    samples.push_back({row.time, {row.height, row.roll, row.pitch, row.yaw}});
+  }
+  return {std::move(samples), control.interpolation};
+}
+
+/// One controlled quantity: its channel and where its set-point stands in a row.
+struct Axis {
+  const char* name;
+  const char* channel;
+  const char* unit;
+  double SetPointRow::*setPoint;
+};
+constexpr Axis kAxes[] = {{"altitude", "position.z", "m", &SetPointRow::height},
+                          {"roll", "euler.roll", "rad", &SetPointRow::roll},
+                          {"pitch", "euler.pitch", "rad", &SetPointRow::pitch},
+                          {"yaw", "euler.yaw", "rad", &SetPointRow::yaw}};
+
+double worse(double a, double b) {
+  return std::isnan(a) || a < b ? b : a;
+}
+
+}  // namespace
+
+PidPilot::PidPilot(const PidControl& control, const ControlModel<kRotors>& planned, double tick)
+    : signal_(signalOf(control)),
+      rows_(control.setPoints),
+      controller_(control.controller, planned, tick) {}
+
+std::vector<Channel> PidPilot::channels() const {
+  std::vector<Channel> all{{"setpoint.z", "m", "Height wanted"},
+                           {"setpoint.roll", "rad", "Roll wanted"},
+                           {"setpoint.pitch", "rad", "Pitch wanted"},
+                           {"setpoint.yaw", "rad", "Yaw wanted"}};
+  controller_.visitOutputs(
+      [&](int rotor, const char* name, const char* unit, const char* description, double) {
+        const std::string prefix = rotor == 0 ? "" : "rotor" + std::to_string(rotor) + ".";
+        all.push_back({prefix + name, unit, description});
+      });
+  return all;
+}
+
+void PidPilot::figures(const Recording& recording, std::vector<Metric>& metrics) const {
+  const std::size_t rows = recording.rows();
+  if (rows == 0) return;
+  for (const Axis& axis : kAxes) {
+    const auto channel = recording.find(axis.channel);
+    if (!channel) continue;
+    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+    double overshoot = kNone, settling = kNone, rest = kNone;
+    bool settled = true;
+    double before = recording.value(*channel, 0);
+    for (std::size_t i = 0; i < rows_.size(); ++i) {
+      const double after = rows_[i].*axis.setPoint;
+      const bool last = i + 1 == rows_.size();
+      const std::size_t first = recording.lowerBound(rows_[i].time);
+      const std::size_t end = last ? rows : recording.lowerBound(rows_[i + 1].time);
+      if (first >= end) break;
+      const StepFigures f = stepFigures(recording, {*channel, first, end, before, after});
+      rest = worse(rest, f.restError);
+      if (std::abs(after - before) > 1e-9) {
+        overshoot = worse(overshoot, f.overshoot);
+        settled = settled && !std::isnan(f.settlingTime);
+        settling = worse(settling, f.settlingTime);
+      }
+      before = after;
+    }
+    const std::string name = axis.name;
+    metrics.push_back(
+        {name + "_rest_error", axis.unit,
+         "Largest distance from the set-point in the last tenth of any part of the timeline",
+         rest});
+    metrics.push_back({name + "_overshoot", "1",
+                       "Largest overshoot of a step, as a fraction of the step", overshoot});
+    metrics.push_back({name + "_settling_time", "s", "Longest time to stay within 2 % of a step",
+                       settled ? settling : kNone});
+  }
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,56 @@
+// The pilot of controller 1: sensors, set-points, controller; its channels and the figures of its step responses.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/control/pid_flight.h"
+#include "sim/core/metrics.h"
+#include "sim/core/recording.h"
+#include "sim/experiment/pid_control.h"
+#include "sim/sensing/measurement.h"
+
+namespace rotorbench {
+
+class PidPilot {
+ public:
+  static constexpr int kRotors = 4;
+  using Plant = Multirotor<kRotors, RotorDrive::Motors>;
+
+  /// `planned`: the vehicle as the controller believes it to be, without deviations. Throws InputError if the rates
+  /// do not fit the tick.
+  PidPilot(const PidControl& control, const ControlModel<kRotors>& planned, double tick);
+
+  [[nodiscard]] std::vector<Channel> channels() const;
+
+  bool act(double t, double /*h*/, Plant& plant, Plant::State& y) {
+    const Eigen::Vector4d wanted = signal_.at(t);
+    setPoint_ = {wanted[0], wanted[1], wanted[2], wanted[3]};
+    plant.derivativeAndForces(y, derivative_, forces_);
+    plant.setCommand(controller_.update(sensors_.measure<kRotors>(y, forces_), setPoint_));
+    return true;
+  }
+
+  void row(double* out) const {
+    *out++ = setPoint_.height;
+    *out++ = setPoint_.roll;
+    *out++ = setPoint_.pitch;
+    *out++ = setPoint_.yaw;
+    controller_.visitOutputs(
+        [&](int, const char*, const char*, const char*, double value) { *out++ = value; });
+  }
+
+  /// Per axis the worst of all its steps: overshoot, settling time, error at rest.
+  void figures(const Recording& recording, std::vector<Metric>& metrics) const;
+
+ private:
+  InputSignal signal_;  ///< height, roll, pitch, yaw
+  std::vector<SetPointRow> rows_;
+  PidFlightController<kRotors> controller_;
+  IdealSensors sensors_;
+  FlightSetPoint setPoint_;
+  Plant::State derivative_;
+  MultirotorForces<kRotors> forces_;
+};
+
+}  // namespace rotorbench
