@@ -113,7 +113,8 @@ class Multirotor {
   }
   [[nodiscard]] const Command& command() const { return command_; }
 
-  void operator()(double /*t*/, const State& y, State& dydt) const {
+  /// Kept out of line: solvers call it from many places, and the call costs nothing beside it.
+  [[gnu::noinline]] void operator()(double /*t*/, const State& y, State& dydt) const {
     evaluate(command_, y, dydt, [](auto&&...) {});
   }
 
