@@ -91,6 +91,11 @@ QWidget* Gallery::buildSide() {
   open->setObjectName("galleryOpen");
   connect(create, &QPushButton::clicked, this, &Gallery::newRequested);
   connect(open, &QPushButton::clicked, this, &Gallery::openRequested);
+  back_ = new QPushButton(themedIcon("go-previous"), tr("Back to the experiment"));
+  back_->setObjectName("galleryBack");
+  back_->hide();
+  connect(back_, &QPushButton::clicked, this, &Gallery::backRequested);
+  layout->addWidget(back_);
   layout->addWidget(create);
   layout->addWidget(open);
   layout->addSpacing(kGap);
@@ -99,6 +104,11 @@ QWidget* Gallery::buildSide() {
   layout->addLayout(recentLayout_);
   layout->addStretch(1);
   return side;
+}
+
+void Gallery::setOpenDocument(const QString& name) {
+  back_->setVisible(!name.isEmpty());
+  back_->setToolTip(name);
 }
 
 void Gallery::buildCards() {

@@ -12,6 +12,7 @@
 #include "ui/shell/recent_files.h"
 
 class QGridLayout;
+class QPushButton;
 class QVBoxLayout;
 
 namespace rotorbench {
@@ -22,12 +23,15 @@ class Gallery : public QWidget {
  public:
   Gallery(RecentFiles& recent, QWidget* parent = nullptr);
   ~Gallery() override;
+  /// Offers the way back to the experiment that is open in the workbench.
+  void setOpenDocument(const QString& name);
 
  signals:
   void experimentChosen(const QString& file);
   void fileChosen(const QString& file);
   void openRequested();
   void newRequested();
+  void backRequested();
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
@@ -41,6 +45,7 @@ class Gallery : public QWidget {
   void drawPictures();
 
   RecentFiles& recent_;
+  QPushButton* back_ = nullptr;
   QWidget* cardArea_ = nullptr;
   QGridLayout* grid_ = nullptr;
   QVBoxLayout* recentLayout_ = nullptr;

@@ -90,6 +90,7 @@ void MainWindow::buildPages() {
           [this](const QString& file) { dialogs_->openFile(file, true); });
   connect(gallery_, &Gallery::fileChosen, this, &MainWindow::openFile);
   connect(gallery_, &Gallery::openRequested, dialogs_, &DocumentDialogs::openWithDialog);
+  connect(gallery_, &Gallery::backRequested, this, &MainWindow::showWorkbench);
   connect(gallery_, &Gallery::newRequested, dialogs_, &DocumentDialogs::startNew);
   connect(&documents_, &DocumentController::opened, this, &MainWindow::showWorkbench);
   connect(&documents_, &DocumentController::titleChanged, this, &MainWindow::updateTitle);
@@ -167,12 +168,16 @@ void MainWindow::resetLayout() {
 }
 
 void MainWindow::showGallery() {
+  gallery_->setOpenDocument(openedOnce_ ? documents_.displayName() : QString());
   pages_->setCurrentWidget(gallery_);
+  updateTitle();
   updateRunActions();
 }
 
 void MainWindow::showWorkbench() {
+  openedOnce_ = true;
   pages_->setCurrentWidget(bench_);
+  updateTitle();
   updateRunActions();
 }
 
@@ -191,7 +196,8 @@ void MainWindow::fillRecentMenu() {
 }
 
 void MainWindow::updateTitle() {
-  setWindowTitle(tr("%1[*] – Rotorbench").arg(documents_.displayName()));
+  setWindowTitle(openedOnce_ ? tr("%1[*] – Rotorbench").arg(documents_.displayName())
+                             : tr("Rotorbench[*]"));
   setWindowFilePath(documents_.file());
   setWindowModified(documents_.hasUnsavedChanges());
 }

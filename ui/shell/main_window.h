@@ -70,6 +70,7 @@ class MainWindow : public QMainWindow {
   RunDesk* desk_ = nullptr;
   StatusBar* status_ = nullptr;
   HelpViewer* help_ = nullptr;
+  bool openedOnce_ = false;  ///< the workbench has an experiment to go back to
   bool closing_ = false;
 };
 

@@ -128,7 +128,7 @@ void RunDesk::onStateChanged(RunState state) {
   const int id = controller_.currentRun();
   const RunRecord* record = runs_.find(id);
   if (record == nullptr) return;
-  if (state == RunState::Paused || !isActive(state)) showMetrics(id);
+  if (id == shown_ && (state == RunState::Paused || !isActive(state))) showMetrics(id);
   if (!isActive(state)) noteEnd(*record);
 }
 
