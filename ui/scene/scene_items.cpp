@@ -89,9 +89,10 @@ void addRotor(std::vector<SceneItem>& items, const SceneModel& model, std::size_
   const float height = toFloat(rotor.motorHeight);
   const float radius = toFloat(rotor.motorRadius);
   // The arm stands on the body centre, length 1 along z; placeItems() stretches it to the hub.
-  items.push_back(
-      {ItemRole::Arm, name + "arm",
-       frustumMesh(toFloat(0.05 * span), toFloat(0.032 * span), 0, 1, high ? 14 : 6, arm), index});
+  items.push_back({ItemRole::Arm, name + "arm",
+                   frustumMesh(toFloat(0.05 * span), toFloat(0.032 * span), 0, 1, high ? 14 : 6,
+                               arm, high ? 1 : 5),
+                   index});
   Mesh motor = frustumMesh(radius, radius, -0.6F * height, 0.4F * height, sides, colors.motor);
   motor.append(frustumMesh(0.35F * radius, 0.2F * radius, 0.4F * height, 0.75F * height, sides / 2,
                            colors.frame));

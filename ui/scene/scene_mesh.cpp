@@ -77,17 +77,24 @@ void Mesh::append(const Mesh& other, const Eigen::Isometry3f& move) {
   for (const std::uint32_t i : other.indices) indices.push_back(i + offset);
 }
 
-Mesh frustumMesh(float radius0, float radius1, float z0, float z1, int sides, const Vec3f& color) {
+Mesh frustumMesh(float radius0, float radius1, float z0, float z1, int sides, const Vec3f& color,
+                 int pieces) {
   Mesh mesh;
   const float slope = (radius0 - radius1) / (z1 - z0);
-  for (const auto& [radius, z] : {std::pair{radius0, z0}, std::pair{radius1, z1}}) {
+  for (int piece = 0; piece <= pieces; ++piece) {
+    const float share = static_cast<float>(piece) / static_cast<float>(pieces);
     for (int i = 0; i < sides; ++i) {
       Vec3f normal = onCircle(1.0F, i, sides, 0);
       normal.z() = slope;
-      mesh.addVertex(onCircle(radius, i, sides, z), normal.normalized(), color);
+      const float radius = std::lerp(radius0, radius1, share);
+      mesh.addVertex(onCircle(radius, i, sides, std::lerp(z0, z1, share)), normal.normalized(),
+                     color);
     }
   }
-  stitch(mesh, 0, static_cast<std::uint32_t>(sides), sides);
+  for (int piece = 0; piece < pieces; ++piece) {
+    stitch(mesh, static_cast<std::uint32_t>(piece * sides),
+           static_cast<std::uint32_t>((piece + 1) * sides), sides);
+  }
   addCap(mesh, radius0, z0, false, sides, color);
   addCap(mesh, radius1, z1, true, sides, color);
   return mesh;

@@ -36,8 +36,10 @@ struct Mesh {
 /// How finely round things are cut: High for the graphics card, Low for the painter.
 enum class MeshDetail { Low, High };
 
-/// Circular frustum from z0 (radius0) to z1 (radius1) with both caps.
-Mesh frustumMesh(float radius0, float radius1, float z0, float z1, int sides, const Vec3f& color);
+/// Circular frustum from z0 (radius0) to z1 (radius1) with both caps. `pieces` cuts a long one across, so that
+/// the painter can sort its parts by depth.
+Mesh frustumMesh(float radius0, float radius1, float z0, float z1, int sides, const Vec3f& color,
+                 int pieces = 1);
 Mesh sphereMesh(float radius, int sides, const Vec3f& color);
 Mesh ringMesh(float radius, float tube, int segments, int sides, const Vec3f& color);
 /// Circle in the x-y plane as lines.
