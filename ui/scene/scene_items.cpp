@@ -236,7 +236,8 @@ std::vector<Placement> placeItems(const std::vector<SceneItem>& items, const Sce
         p.visible = options.axes;
         break;
       case ItemRole::Shadow:
-        p.visible = options.grid;
+        // A vehicle that fell through the ground (a birotor without one) casts none on it.
+        p.visible = options.grid && pose.position.z() > -0.02 * size.radius;
         break;
       case ItemRole::DropLine:
         p.position = {pose.position.x(), pose.position.y(), 0};

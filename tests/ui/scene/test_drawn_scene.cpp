@@ -28,6 +28,11 @@ QImage grabbed(SceneView& view) {
   return view.grab().toImage();
 }
 
+/// Without the notice along the lower edge, which is orange as well.
+QImage aboveTheNotice(SceneView& view) {
+  return grabbed(view).copy(0, 0, kSize.width(), kSize.height() - 60);
+}
+
 void turnWheel(QWidget& widget, int delta) {
   const QPointF middle = QRectF(widget.rect()).center();
   QWheelEvent event(middle, widget.mapToGlobal(middle), {}, {0, delta}, Qt::NoButton,
