@@ -94,6 +94,10 @@ class TestDrawnScene : public QObject {
     QFETCH(Vector3d, moved);
     QFETCH(QPoint, direction);
     const auto view = shownView();
+    // Nothing of the ground in front of a vehicle that goes below it.
+    SceneOptions options;
+    options.grid = options.axes = false;
+    view->setOptions(options);
     view->setRecording(flightStep(moved));
     const auto before = centroid(aboveTheNotice(*view), isOrange);
     view->setTime(1.5);
