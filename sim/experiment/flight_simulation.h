@@ -1,6 +1,6 @@
 // The hybrid simulation of a flight. Once a tick the pilot (a controller, or inputs laid down in advance) reads the
 // plant and sets its command; the solver then brings the plant exactly to the next tick. The order of a tick at time
-// t: act, derivative and forces with the new command, record, advance to t + h.
+// t: derivative and forces, act on them, record, advance to t + h. The derivative is the first stage of the step.
 #pragma once
 
 #include <cmath>
@@ -9,20 +9,20 @@
 #include <vector>
 
 #include "sim/experiment/flight.h"
-#include "sim/experiment/flight_view.h"
 #include "sim/experiment/simulation_base.h"
 #include "sim/ode/solver.h"
+#include "sim/vehicle/multirotor_outputs.h"
 
 namespace rotorbench {
 
-/// A pilot: channels() declares what it adds to each row, act() sets the command for the tick from t to t + h and
-/// tells whether anything jumped, row() writes the channels of the last act(), figures() adds to the metrics.
+/// A pilot: channels() declares what it adds to each row, act() sets the command for the tick from t to t + h,
+/// brings derivative and forces up to date with it and tells whether anything jumped, row() writes the channels of the last act(), figures() adds to the metrics.
 template <class P, class Plant>
 concept FlightPilot = requires(P& p, const P& c, Plant& plant, typename Plant::State& y,
-                               const Recording& recording, std::vector<Metric>& metrics,
-                               double* out) {
+                               MultirotorForces<Plant::kRotors>& forces, const Recording& recording,
+                               std::vector<Metric>& metrics, double* out) {
   { c.channels() } -> std::same_as<std::vector<Channel>>;
-  { p.act(double{}, double{}, plant, y) } -> std::same_as<bool>;
+  { p.act(double{}, double{}, plant, y, y, forces) } -> std::same_as<bool>;
   c.row(out);
   c.figures(recording, metrics);
 };
@@ -30,10 +30,14 @@ concept FlightPilot = requires(P& p, const P& c, Plant& plant, typename Plant::S
 /// Figures of any flight: peaks, energy, where it ended.
 void addFlightFigures(const Recording& recording, std::vector<Metric>& metrics);
 
+/// "rotor2.thrust" for a quantity of rotor 2; rotor 0 is the vehicle and has no prefix.
+inline std::string channelName(int rotor, const char* name) {
+  return rotor == 0 ? name : "rotor" + std::to_string(rotor) + "." + name;
+}
+
 template <class PlantType, FlightPilot<PlantType> Pilot>
 class FlightSimulation final : public SimulationBase {
  public:
-  using View = FlightView<PlantType>;
   using State = typename PlantType::State;
 
   FlightSimulation(const Flight& flight, const OutputSettings& outputs, PlantType plant,
@@ -47,7 +51,11 @@ class FlightSimulation final : public SimulationBase {
         every_(ticksPerRow(outputs, flight.tick)),
         ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
     std::vector<Channel> channels{{"time", "s", "Simulated time"}};
-    for (auto& c : View::channels()) channels.push_back(std::move(c));
+    visitMultirotorOutputs<PlantType>(
+        y_, forces_,
+        [&](int rotor, const char* name, const char* unit, const char* description, double) {
+          channels.push_back({channelName(rotor, name), unit, description});
+        });
     for (auto& c : pilot_.channels()) channels.push_back(std::move(c));
     row_.resize(channels.size());
     recording_ = &addRun("Flight", std::move(channels), outputs);
@@ -92,8 +100,8 @@ class FlightSimulation final : public SimulationBase {
 
   /// Everything of a tick but the integration. False if the recording is full.
   bool prepare(double t, double h) {
-    const bool jumped = pilot_.act(t, h, plant_, y_);
     plant_.derivativeAndForces(y_, derivative_, forces_);
+    const bool jumped = pilot_.act(t, h, plant_, y_, derivative_, forces_);
     if (jumped) {
       ++startEvaluations_;
       // ABM4 keeps its history over ticks where nothing did.
@@ -101,9 +109,12 @@ class FlightSimulation final : public SimulationBase {
       solver_.setStartDerivative(derivative_);
     }
     if (done_ % every_ != 0 && done_ < ticks_) return true;
-    row_[0] = t;
-    View::row(plant_, y_, forces_, row_.data() + 1);
-    pilot_.row(row_.data() + 1 + View::kCount);
+    double* out = row_.data();
+    *out++ = t;
+    visitMultirotorOutputs<PlantType>(
+        y_, forces_,
+        [&](int, const char*, const char*, const char*, double value) { *out++ = value; });
+    pilot_.row(out);
     const bool kept = recording_->append(row_);
     if (!kept) failFull(t);
     return kept;
@@ -114,7 +125,7 @@ class FlightSimulation final : public SimulationBase {
   Pilot pilot_;
   ode::Solver<PlantType> solver_;
   State y_, derivative_;
-  typename View::Forces forces_;
+  MultirotorForces<PlantType::kRotors> forces_{};
   std::int64_t every_, ticks_, done_ = 0;
   std::int64_t startEvaluations_ = 0;  ///< derivatives handed to the solver as the start of a step
   std::vector<double> row_;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sim/analysis/step_response.h"
+#include "sim/experiment/flight_simulation.h"
 
 namespace rotorbench {
 
@@ -27,9 +28,9 @@ struct Axis {
   double SetPointRow::*setPoint;
 };
 constexpr Axis kAxes[] = {{"altitude", "position.z", "m", &SetPointRow::height},
-                          {"roll", "euler.roll", "rad", &SetPointRow::roll},
-                          {"pitch", "euler.pitch", "rad", &SetPointRow::pitch},
-                          {"yaw", "euler.yaw", "rad", &SetPointRow::yaw}};
+                          {"roll", "attitude.roll", "rad", &SetPointRow::roll},
+                          {"pitch", "attitude.pitch", "rad", &SetPointRow::pitch},
+                          {"yaw", "attitude.yaw", "rad", &SetPointRow::yaw}};
 
 double worse(double a, double b) {
   return std::isnan(a) || a < b ? b : a;
@@ -49,8 +50,7 @@ std::vector<Channel> PidPilot::channels() const {
                            {"setpoint.yaw", "rad", "Yaw wanted"}};
   controller_.visitOutputs(
       [&](int rotor, const char* name, const char* unit, const char* description, double) {
-        const std::string prefix = rotor == 0 ? "" : "rotor" + std::to_string(rotor) + ".";
-        all.push_back({prefix + name, unit, description});
+        all.push_back({channelName(rotor, name), unit, description});
       });
   return all;
 }

@@ -23,11 +23,12 @@ class PidPilot {
 
   [[nodiscard]] std::vector<Channel> channels() const;
 
-  bool act(double t, double /*h*/, Plant& plant, Plant::State& y) {
+  bool act(double t, double /*h*/, Plant& plant, Plant::State& y, Plant::State& derivative,
+           MultirotorForces<kRotors>& forces) {
     const Eigen::Vector4d wanted = signal_.at(t);
     setPoint_ = {wanted[0], wanted[1], wanted[2], wanted[3]};
-    plant.derivativeAndForces(y, derivative_, forces_);
-    plant.setCommand(controller_.update(sensors_.measure<kRotors>(y, forces_), setPoint_));
+    plant.setCommand(controller_.update(sensors_.measure<kRotors>(y, forces), setPoint_));
+    plant.updateCommand(y, derivative, forces);
     return true;
   }
 
@@ -49,8 +50,6 @@ class PidPilot {
   PidFlightController<kRotors> controller_;
   IdealSensors sensors_;
   FlightSetPoint setPoint_;
-  Plant::State derivative_;
-  MultirotorForces<kRotors> forces_;
 };
 
 }  // namespace rotorbench

@@ -22,7 +22,8 @@ class SpeedPilot {
   static void row(double* /*out*/) {}
   static void figures(const Recording& /*recording*/, std::vector<Metric>& /*metrics*/) {}
 
-  bool act(double t, double h, Plant& plant, Plant::State& y) {
+  bool act(double t, double h, Plant& plant, Plant::State& y, Plant::State& derivative,
+           MultirotorForces<4>& forces) {
     const Plant::Command now = signal_.at(t);
     const bool straight = signal_.interpolation() == Interpolation::Linear;
     const Plant::Command rate =
@@ -30,6 +31,7 @@ class SpeedPilot {
     const bool jumped = rate != plant.command() || now != y.segment<4>(Plant::Layout::kSpeed);
     plant.setCommand(rate);
     Plant::setRotorSpeeds(y, now);
+    if (jumped) plant.derivativeAndForces(y, derivative, forces);
     return jumped;
   }
 
@@ -48,9 +50,11 @@ class VoltagePilot {
   static void row(double* /*out*/) {}
   static void figures(const Recording& /*recording*/, std::vector<Metric>& /*metrics*/) {}
 
-  bool act(double t, double /*h*/, Plant& plant, Plant::State& /*y*/) {
+  bool act(double t, double /*h*/, Plant& plant, Plant::State& y, Plant::State& derivative,
+           MultirotorForces<4>& forces) {
     const Plant::Command before = plant.command();
     plant.setCommand(signal_.at(t) / plant.constants().supply.voltage);
+    plant.updateCommand(y, derivative, forces);
     return plant.command() != before;
   }
 

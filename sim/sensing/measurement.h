@@ -35,7 +35,7 @@ struct IdealSensors {
     using L = MultirotorLayout<N>;
     return {y.template segment<3>(L::kPosition),
             y.template segment<3>(L::kVelocity),
-            eulerAngles(y.template segment<4>(L::kAttitude)),
+            forces.attitude,
             forces.rates,
             forces.specificForce,
             y.template segment<N>(L::kSpeed),

@@ -61,6 +61,28 @@ void Multirotor<N, Drive>::derivativeAndForces(const State& y, State& dydt,
                                                MultirotorForces<N>& forces) const {
   evaluate(command_, y, dydt, ForcesSink<N>{forces});
   forces.acceleration = dydt.template segment<3>(Layout::kVelocity);
+  forces.attitude = eulerAngles(y.template segment<4>(Layout::kAttitude));
+}
+
+template <int N, RotorDrive Drive>
+void Multirotor<N, Drive>::updateCommand(const State& y, State& dydt,
+                                         MultirotorForces<N>& forces) const {
+  using L = Layout;
+  if constexpr (Drive == RotorDrive::Motors) {
+    forces.supplyCurrent = 0;
+    for (int i = 0; i < N; ++i) forces.supplyCurrent += command_[i] * y[L::kCurrent + i];
+    forces.busVoltage =
+        constants_.supply.voltage - constants_.supply.internalResistance * forces.supplyCurrent;
+    dydt[L::kCharge] = forces.supplyCurrent;
+    for (int i = 0; i < N; ++i) {
+      const auto n = static_cast<std::size_t>(i);
+      forces.voltage[n] = command_[i] * forces.busVoltage;
+      dydt[L::kCurrent + i] = constants_.hubs[n].motor.currentRate(
+          forces.voltage[n], y[L::kCurrent + i], y[L::kSpeed + i]);
+    }
+  } else {
+    dydt.template segment<N>(L::kSpeed) = command_;
+  }
 }
 
 template <int N, RotorDrive Drive>

@@ -84,6 +84,7 @@ struct MultirotorForces {
   std::array<double, N> voltage;  ///< V at the motor
   double busVoltage;              ///< V of the supply under load
   double supplyCurrent;           ///< A drawn from the supply
+  Eigen::Vector3d attitude;       ///< roll, pitch, yaw (Z-Y-X), rad; yaw in (-pi, pi]
   Eigen::Vector3d rates;          ///< body rates, rad/s
   Eigen::Vector3d acceleration;   ///< inertial, m/s^2
   Eigen::Vector3d
@@ -126,6 +127,9 @@ class Multirotor {
 
   /// The derivative together with the quantities it passes through.
   void derivativeAndForces(const State& y, State& dydt, MultirotorForces<N>& forces) const;
+  /// Brings both up to date after setCommand() without working out everything again: only the electrical
+  /// side depends on a motor's duty.
+  void updateCommand(const State& y, State& dydt, MultirotorForces<N>& forces) const;
 
   /// To be called once after each step: brings the quaternion back to unit length.
   static void afterStep(State& y) {

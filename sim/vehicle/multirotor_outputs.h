@@ -7,11 +7,10 @@
 namespace rotorbench {
 
 /// Calls visit(rotor, name, unit, description, value) for each quantity; rotor 0 is the vehicle, others are
-/// numbered from 1. `forces` and `attitude` (roll, pitch, yaw) must belong to the state `y`.
+/// numbered from 1. `forces` must belong to the state `y`.
 template <class Plant, class Visit>
 void visitMultirotorOutputs(const typename Plant::State& y,
-                            const MultirotorForces<Plant::kRotors>& forces,
-                            const Eigen::Vector3d& attitude, Visit&& visit) {
+                            const MultirotorForces<Plant::kRotors>& forces, Visit&& visit) {
   using L = typename Plant::Layout;
   constexpr bool kMotors = Plant::kDrive == RotorDrive::Motors;
   visit(0, "position.x", "m", "Position of the centre of mass, forward", y[L::kPosition]);
@@ -23,9 +22,9 @@ void visitMultirotorOutputs(const typename Plant::State& y,
   visit(0, "acceleration.x", "m/s^2", "Inertial acceleration, forward", forces.acceleration[0]);
   visit(0, "acceleration.y", "m/s^2", "Inertial acceleration, left", forces.acceleration[1]);
   visit(0, "acceleration.z", "m/s^2", "Inertial acceleration, up", forces.acceleration[2]);
-  visit(0, "attitude.roll", "rad", "Roll angle, positive to the right", attitude[0]);
-  visit(0, "attitude.pitch", "rad", "Pitch angle, positive nose down", attitude[1]);
-  visit(0, "attitude.yaw", "rad", "Yaw angle, positive to the left", attitude[2]);
+  visit(0, "attitude.roll", "rad", "Roll angle, positive to the right", forces.attitude[0]);
+  visit(0, "attitude.pitch", "rad", "Pitch angle, positive nose down", forces.attitude[1]);
+  visit(0, "attitude.yaw", "rad", "Yaw angle, positive to the left", forces.attitude[2]);
   visit(0, "attitude.w", "1", "Attitude quaternion, scalar part", y[L::kAttitude]);
   visit(0, "attitude.x", "1", "Attitude quaternion, x", y[L::kAttitude + 1]);
   visit(0, "attitude.y", "1", "Attitude quaternion, y", y[L::kAttitude + 2]);
@@ -36,6 +35,8 @@ void visitMultirotorOutputs(const typename Plant::State& y,
   if constexpr (kMotors) {
     visit(0, "supply.voltage", "V", "Supply voltage under load", forces.busVoltage);
     visit(0, "supply.current", "A", "Current drawn from the supply", forces.supplyCurrent);
+    visit(0, "supply.power", "W", "Power drawn from the supply",
+          forces.busVoltage * forces.supplyCurrent);
     visit(0, "supply.charge", "C", "Charge drawn from the supply", y[L::kCharge]);
   }
   for (int i = 0; i < Plant::kRotors; ++i) {

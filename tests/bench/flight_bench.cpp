@@ -63,11 +63,14 @@ BENCHMARK(derivative);
 void controllerTick(benchmark::State& state) {
   const auto& flight = std::get<Flight>(flagship().setup);
   PidPilot::Plant plant(buildMultirotor<4>(flight.vehicle, flight.environment));
-  PidPilot pilot(std::get<PidControl>(flight.control), controlModel<4>(plant.constants()), flight.tick);
-  auto y = plant.initialState(flight.start);
+  PidPilot pilot(std::get<PidControl>(flight.control), controlModel<4>(plant.constants()),
+                 flight.tick);
+  auto y = plant.initialState(flight.start), dydt = y;
+  MultirotorForces<4> forces;
+  plant.derivativeAndForces(y, dydt, forces);
   double t = 0;
   for (auto _ : state) {
-    pilot.act(t, flight.tick, plant, y);
+    pilot.act(t, flight.tick, plant, y, dydt, forces);
     t += flight.tick;
     benchmark::DoNotOptimize(y);
   }

@@ -1,0 +1,233 @@
+// rotorbench-cli as a person or a script uses it: the real program, its output, its files, its exit codes.
+#include <signal.h>
+
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+struct Outcome {
+  int code;
+  QByteArray out, err;
+};
+
+Outcome cli(const QStringList& arguments) {
+  QProcess process;
+  process.start(ROTORBENCH_CLI, arguments);
+  if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) {
+    return {-1, process.readAllStandardOutput(), process.readAllStandardError()};
+  }
+  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QString shipped(const QString& name) {
+  return QString(EXPERIMENTS_DIR "/%1.json").arg(name);
+}
+
+QByteArray contents(const QString& path) {
+  QFile file(path);
+  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+}  // namespace
+
+class TestCli : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void helpAndVersion() {
+    for (const char* word : {"run", "list", "schema", "set"}) {
+      QVERIFY(cli({"--help"}).out.contains(word));
+      QCOMPARE(cli({word, "--help"}).code, 0);
+    }
+    const Outcome version = cli({"--version"});
+    QCOMPARE(version.code, 0);
+    QVERIFY(version.out.startsWith("rotorbench-cli "));
+    QCOMPARE(cli({}).code, 2);
+    QCOMPARE(cli({"fly"}).code, 2);
+    QCOMPARE(cli({"run"}).code, 2);
+  }
+
+  void list() {
+    const Outcome outcome = cli({"list"});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(outcome.out.contains("f450-hover-and-steps"));
+    QVERIFY(outcome.out.contains("spring-bar-birotor"));
+  }
+
+  void schemaIsJson() {
+    const Outcome outcome = cli({"schema"});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(QJsonDocument::fromJson(outcome.out).object().contains("$schema"));
+  }
+
+  void metricsAsJson() {
+    const Outcome outcome = cli({"run", shipped("thesis-experiment-1"), "--format", "json"});
+    QCOMPARE(outcome.code, 0);
+    const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
+    QVERIFY(json["experiment"].toString().contains("Thesis experiment 1"));
+    QStringList runs;
+    for (const QJsonValue& row : json["metrics"].toArray()) {
+      runs << row["run"].toString();
+      for (const char* name : {"max_error_norm", "steps", "evaluations", "rejected"}) {
+        QVERIFY(row[name].isDouble());
+        QVERIFY(json["units"].toObject().contains(name));
+      }
+    }
+    QCOMPARE(runs, (QStringList{"Euler", "RK4", "ABM4", "RK5(4)7M", "RK5(4)6M", "RK5(4)7S"}));
+  }
+
+  void metricsAsText() {
+    const Outcome outcome = cli({"run", shipped("thesis-experiment-2")});
+    QCOMPARE(outcome.code, 0);
+    const QList<QByteArray> lines = outcome.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 7);
+    QVERIFY(lines[0].startsWith("run "));
+    QVERIFY(lines[4].startsWith("RK5(4)7M"));
+    // Aligned: every line ends its second column at the same place.
+    const auto end = lines[0].indexOf("max_error_norm") + QByteArray("max_error_norm").size();
+    for (const QByteArray& line : lines) QCOMPARE(line[end], ' ');
+  }
+
+  void recordingAsCsv() {
+    const Outcome outcome = cli(
+        {"run", shipped("f450-hover-and-steps"), "--format", "csv", "--set", "setup.duration=0.1"});
+    QCOMPARE(outcome.code, 0);
+    const QList<QByteArray> lines = outcome.out.trimmed().split('\n');
+    QCOMPARE(lines.size(), 102);
+    QVERIFY(lines[0].startsWith("time [s],position.x [m],"));
+    QCOMPARE(lines[1].split(',').size(), lines[0].split(',').size());
+    const Outcome several = cli({"run", shipped("thesis-experiment-2"), "--format", "csv"});
+    QVERIFY(several.out.startsWith("run,time [s],"));
+    QVERIFY(several.out.contains("\nRK5(4)7S,"));
+  }
+
+  void setChangesTheRun() {
+    const QString file = shipped("spring-bar-birotor");
+    const Outcome outcome = cli({"run", file, "--set", "setup.duration=2 s", "--set",
+                                 "setup.solver.step=25 ms", "--format", "json"});
+    const QJsonObject row =
+        QJsonDocument::fromJson(outcome.out).object()["metrics"].toArray()[0].toObject();
+    QCOMPARE(row["end_time"].toDouble(), 2.0);
+    QCOMPARE(row["steps"].toInt(), 80);
+  }
+
+  void outputDirectory() {
+    QTemporaryDir directory;
+    const QString out = directory.filePath("deep/er");
+    QCOMPARE(
+        cli({"run", shipped("thesis-experiment-1"), "--output", out, "--set", "setup.duration=1"})
+            .code,
+        0);
+    for (const char* name :
+         {"experiment.json", "metrics.json", "metrics.txt", "recording-RK5-4-7M.csv",
+          "recording-Reference.csv", "recording-Work-precision.csv"}) {
+      QVERIFY2(contents(out + "/" + name).size() > 10, name);
+    }
+    // The experiment written beside the results gives the same results.
+    const QString again = directory.filePath("again");
+    QCOMPARE(cli({"run", out + "/experiment.json", "--output", again}).code, 0);
+    QCOMPARE(contents(again + "/recording-RK4.csv"), contents(out + "/recording-RK4.csv"));
+  }
+
+  void sameSeedSameBytes() {
+    QTemporaryDir directory;
+    const QStringList run{"run", shipped("f450-hover-and-steps"), "--set", "setup.duration=2",
+                          "--output"};
+    QCOMPARE(cli(run + QStringList{directory.filePath("a")}).code, 0);
+    QCOMPARE(cli(run + QStringList{directory.filePath("b")}).code, 0);
+    const QByteArray a = contents(directory.filePath("a/recording.csv"));
+    QVERIFY(a.size() > 100000);
+    QVERIFY(a == contents(directory.filePath("b/recording.csv")));
+  }
+
+  void wrongInput_data() {
+    QTest::addColumn<QStringList>("arguments");
+    QTest::addColumn<QString>("says");
+    const QString f450 = shipped("f450-hover-and-steps");
+    QTest::addRow("missing file") << QStringList{"run", "no-such-file.json"} << "no-such-file.json";
+    QTest::addRow("directory") << QStringList{"run", "/"} << "/";
+    QTest::addRow("not an assignment")
+        << QStringList{"run", f450, "--set", "duration"} << "path=value";
+    QTest::addRow("unknown path") << QStringList{"run", f450, "--set", "setup.durration=3"}
+                                  << "duration";
+    QTest::addRow("wrong unit") << QStringList{"run", f450, "--set", "setup.duration=3 kg"} << "kg";
+    QTest::addRow("out of range") << QStringList{"run", f450, "--set", "setup.duration=-3"}
+                                  << "above 0";
+    QTest::addRow("not a number") << QStringList{"run", f450, "--set", "setup.duration=nan"}
+                                  << "setup.duration";
+    QTest::addRow("unknown format") << QStringList{"run", f450, "--format", "xml"} << "format";
+    QTest::addRow("impossible inertia")
+        << QStringList{"run", f450, "--set", "setup.vehicle.mass.inertia.xx=1"} << "inertia";
+    QTest::addRow("output is a file") << QStringList{"run", f450, "--output", f450} << "directory";
+  }
+  void wrongInput() {
+    QFETCH(QStringList, arguments);
+    QFETCH(QString, says);
+    const Outcome outcome = cli(arguments);
+    QCOMPARE(outcome.code, 2);
+    QVERIFY2(outcome.err.contains(says.toUtf8()), outcome.err.constData());
+    QVERIFY(outcome.out.isEmpty());
+  }
+
+  void everyProblemIsReported() {
+    QTemporaryDir directory;
+    QFile file(directory.filePath("bad.json"));
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(
+        R"({"rotorbench": 1, "titel": "x", "setup": {"type": "flight", "duration": -1, "tick": "3 kg"}})");
+    file.close();
+    const Outcome outcome = cli({"run", file.fileName()});
+    QCOMPARE(outcome.code, 2);
+    for (const char* word :
+         {"bad.json:titel", "title", "bad.json:setup.duration", "bad.json:setup.tick"}) {
+      QVERIFY2(outcome.err.contains(word), outcome.err.constData());
+    }
+  }
+
+  void failedRunKeepsTheRecording() {
+    QTemporaryDir directory;
+    const Outcome outcome = cli({"run", shipped("f450-hover-and-steps"), "--output",
+                                 directory.filePath("out"), "--set", "setup.solver.method=euler",
+                                 "--set", "setup.vehicle.rotors.rotor.motor.inductance=1 uH"});
+    QCOMPARE(outcome.code, 1);
+    QVERIFY2(outcome.err.contains("t = ") && outcome.err.contains("rotor"),
+             outcome.err.constData());
+    QVERIFY(contents(directory.filePath("out/recording.csv")).count('\n') > 1);
+  }
+
+  void interruptKeepsWhatWasRecorded() {
+    QTemporaryDir directory;
+    QProcess process;
+    process.start(ROTORBENCH_CLI,
+                  {"run", shipped("f450-hover-and-steps"), "--set", "setup.duration=36000", "--set",
+                   "outputs.recordInterval=1", "--output", directory.filePath("out")});
+    QVERIFY(process.waitForStarted());
+    QVERIFY(!process.waitForFinished(700));
+    kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(20000));
+    QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+    QCOMPARE(process.exitCode(), 1);
+    QVERIFY(process.readAllStandardError().contains("nterrupted"));
+    QVERIFY(contents(directory.filePath("out/recording.csv")).count('\n') > 2);
+  }
+
+  void setCommandWritesAFile() {
+    QTemporaryDir directory;
+    const QString file = directory.filePath("new.json");
+    QCOMPARE(cli({"set", shipped("spring-bar-birotor"), "title=My bar",
+                  "setup.plant.stiffness=2000", "-o", file})
+                 .code,
+             0);
+    QVERIFY(contents(file).contains("\"title\": \"My bar\""));
+    QCOMPARE(cli({"run", file, "--set", "setup.duration=1"}).code, 0);
+  }
+};
+
+QTEST_GUILESS_MAIN(TestCli)
+#include "test_cli.moc"

@@ -1,0 +1,213 @@
+// Every shipped experiment: reads, reads back equal, runs to its end, gives the same bytes twice and however the work
+// is sliced; and what the issue of the flights promises of them.
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "sim/core/schema_tree.h"
+#include "sim/io/csv.h"
+#include "sim/io/file.h"
+#include "sim/io/resources.h"
+#include "sim/io/run_files.h"
+#include "tests/validation/run_experiment.h"
+
+using namespace rotorbench;
+using namespace rotorbench::test;
+
+namespace {
+
+std::string csvOf(const Simulation& simulation) {
+  std::ostringstream out;
+  for (const auto& run : simulation.runs()) writeCsv(out, *run.recording);
+  return out.str();
+}
+
+double degrees(double radians) {
+  return radians * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+class TestShippedExperiments : public QObject {
+  Q_OBJECT
+
+ private slots:
+  void initTestCase() { qputenv("ROTORBENCH_RESOURCES", EXPERIMENTS_DIR "/.."); }
+
+  void all_data() {
+    QTest::addColumn<QString>("name");
+    const auto experiments = shippedExperiments();
+    QVERIFY(experiments.size() >= 6);
+    QCOMPARE(experiments.front().name, std::string("f450-hover-and-steps"));
+    for (const auto& e : experiments)
+      QTest::addRow("%s", e.name.c_str()) << QString::fromStdString(e.name);
+  }
+
+  void all() {
+    QFETCH(QString, name);
+    const Experiment experiment = shipped(name.toStdString());
+    QVERIFY(!experiment.title.empty() && !experiment.summary.empty());
+    QVERIFY(schema::validate(schema::ref(experiment)).empty());
+    const std::string text = writeExperiment(experiment);
+    QVERIFY(readExperiment(text, "again") == experiment);
+
+    const auto whole = runToEnd(experiment, 1'000'000);
+    QCOMPARE(whole->state(), SimulationState::Finished);
+    QVERIFY(whole->progress().fraction >= 1);
+    const std::string csv = csvOf(*whole);
+    QVERIFY(csv == csvOf(*runToEnd(experiment, 1'000'000)));
+    QVERIFY2(csv == csvOf(*runToEnd(experiment, 37)), "slices change the result");
+    for (const auto& run : whole->runs()) {
+      QVERIFY(run.recording->finished());
+      QVERIFY2(run.recording->rows() > 1, run.name.c_str());
+    }
+    // Every channel a chart names exists in some run.
+    for (const ChartSpec& chart : experiment.outputs.charts) QVERIFY(!chart.title.empty());
+    for (const auto& row : whole->metrics()) {
+      for (const auto& metric : row.metrics)
+        QVERIFY2(!metric.description.empty(), metric.name.c_str());
+    }
+  }
+
+  /// Error below 1 mm and 0.01 degree at rest on every set-point, motors within their limits.
+  void flagshipSettles() {
+    const auto simulation = runToEnd(shipped("f450-hover-and-steps"));
+    const MetricTable table = simulation->metrics();
+    QVERIFY(figure(table, "Flight", "altitude_rest_error") < 1e-3);
+    for (const char* axis : {"roll", "pitch", "yaw"}) {
+      const double error = degrees(figure(table, "Flight", std::string(axis) + "_rest_error"));
+      QVERIFY2(error < 0.01, qPrintable(QString("%1: %2 deg").arg(axis).arg(error)));
+    }
+    const Recording& r = *simulation->runs().front().recording;
+    const std::size_t limited = *r.find("control.limited");
+    std::size_t rows = 0;
+    for (std::size_t i = 0; i < r.rows(); ++i) rows += r.value(limited, i) != 0 ? 1 : 0;
+    QVERIFY2(static_cast<double>(rows) < 0.05 * static_cast<double>(r.rows()),
+             "saturates for long");
+  }
+
+  /// Left alone at its set-point the F450 stays where it is: hover is an equilibrium of plant and controller.
+  void flagshipHoversStill() {
+    Experiment experiment = shipped("f450-hover-and-steps");
+    auto& flight = std::get<Flight>(experiment.setup);
+    flight.duration = 5;
+    std::get<PidControl>(flight.control).setPoints = {{0, 0, 0, 0, 0}};
+    const auto simulation = runToEnd(experiment);
+    const Recording& r = *simulation->runs().front().recording;
+    for (const char* channel :
+         {"position.x", "position.y", "position.z", "attitude.roll", "attitude.pitch"}) {
+      const std::size_t c = *r.find(channel);
+      for (std::size_t i = 0; i < r.rows(); ++i) QVERIFY2(std::abs(r.value(c, i)) < 1e-10, channel);
+    }
+  }
+
+  void unbalancedStillSettles() {
+    const MetricTable table = runToEnd(shipped("unbalanced-f450"))->metrics();
+    QVERIFY(figure(table, "Flight", "altitude_rest_error") < 1e-3);
+    for (const char* axis : {"roll", "pitch", "yaw"}) {
+      QVERIFY(degrees(figure(table, "Flight", std::string(axis) + "_rest_error")) < 0.01);
+    }
+  }
+
+  /// The rear rotors speed up first, so the vehicle goes forward and, by symmetry, nearly straight.
+  void hummingbirdGoesForward() {
+    const auto simulation = runToEnd(shipped("hummingbird-open-loop"));
+    const Recording& r = *simulation->runs().front().recording;
+    const double x = r.sampleAt(*r.find("position.x"), 4.5);
+    QVERIFY2(x > 0.5, qPrintable(QString::number(x)));
+    QVERIFY(std::abs(r.sampleAt(*r.find("position.y"), 4.5)) < 0.05 * x);
+    QVERIFY(r.sampleAt(*r.find("position.z"), 2.5) > 1.1);
+  }
+
+  /// A run cut in two equals one run up to the cut; stopping keeps what was recorded.
+  void stoppedRunIsAPrefix() {
+    const Experiment experiment = shipped("f450-hover-and-steps");
+    const auto part = buildSimulation(experiment, EXPERIMENTS_DIR);
+    part->advance(1234);
+    part->stop();
+    QCOMPARE(part->state(), SimulationState::Finished);
+    const Recording& cut = *part->runs().front().recording;
+    QCOMPARE(cut.rows(), std::size_t{1234});
+    const auto whole = runToEnd(experiment);
+    const Recording& full = *whole->runs().front().recording;
+    for (std::size_t c = 0; c < cut.channels().size(); ++c) {
+      for (std::size_t i = 0; i < cut.rows(); i += 77) QCOMPARE(cut.value(c, i), full.value(c, i));
+    }
+  }
+
+  /// A motor winding that no solver step can follow: the run stops with time and component, the recording stays.
+  void divergenceNamesTimeAndComponent() {
+    Experiment experiment = shipped("f450-hover-and-steps");
+    std::get<Flight>(experiment.setup).solver.method = ode::Method::Euler;
+    std::get<EqualRotors>(std::get<Flight>(experiment.setup).vehicle.rotors)
+        .rotor.motor.inductance = 1e-6;
+    const auto simulation = runToEnd(experiment);
+    QCOMPARE(simulation->state(), SimulationState::Failed);
+    QVERIFY(simulation->failure()->time > 0);
+    QVERIFY2(simulation->failure()->component.find("rotor") != std::string::npos,
+             simulation->failure()->component.c_str());
+    QVERIFY(simulation->runs().front().recording->rows() > 1);
+  }
+
+  void memoryLimitStopsOrThins() {
+    Experiment experiment = shipped("f450-hover-and-steps");
+    experiment.outputs.memoryLimit = 5e6;
+    experiment.outputs.thinWhenFull = false;
+    const auto stopped = runToEnd(experiment);
+    QCOMPARE(stopped->state(), SimulationState::Failed);
+    QVERIFY(stopped->failure()->message.find("memoryLimit") != std::string::npos);
+    experiment.outputs.thinWhenFull = true;
+    const auto thinned = runToEnd(experiment);
+    QCOMPARE(thinned->state(), SimulationState::Finished);
+    QVERIFY(thinned->runs().front().recording->stride() > 1);
+    QVERIFY(thinned->runs().front().recording->bytes() <= std::size_t{5'000'000});
+  }
+
+  /// Prescribed motor voltages and speeds from a CSV file next to the experiment.
+  void inputsFromCsv() {
+    QTemporaryDir directory;
+    writeFileAtomically(directory.filePath("speeds.csv").toStdString(),
+                        "time [s],r1 [rpm],r2 [rpm],r3 [rpm],r4 "
+                        "[rpm]\n0,4480,4480,4480,4480\n1,4500,4500,4500,4500\n");
+    Experiment experiment = shipped("hummingbird-open-loop");
+    auto& flight = std::get<Flight>(experiment.setup);
+    flight.duration = 1;
+    flight.control =
+        SpeedInputs{.source = CsvInputs<RotorSpeedQuantity>{"speeds.csv", Interpolation::Linear}};
+    const auto simulation = buildSimulation(experiment, directory.path().toStdString());
+    while (simulation->advance(100) == SimulationState::Running) {
+    }
+    const Recording& r = *simulation->runs().front().recording;
+    const std::size_t speed = *r.find("rotor1.speed");
+    QVERIFY(std::abs(r.sampleAt(speed, 0.5) - 4490 * std::numbers::pi / 30) < 1e-6);
+    std::get<CsvInputs<RotorSpeedQuantity>>(std::get<SpeedInputs>(flight.control).source).file =
+        "missing.csv";
+    QVERIFY_EXCEPTION_THROWN(buildSimulation(experiment, directory.path().toStdString()),
+                             InputError);
+  }
+
+  /// An independent validator accepts every shipped experiment under the schema the program prints.
+  void jsonSchemaAccepts() {
+    QTemporaryDir directory;
+    const std::string schema = directory.filePath("schema.json").toStdString();
+    writeFileAtomically(schema, experimentJsonSchema());
+    QStringList arguments{"-c",
+                          "import json,sys,jsonschema\n"
+                          "s=json.load(open(sys.argv[1]))\n"
+                          "jsonschema.validators.validator_for(s).check_schema(s)\n"
+                          "for f in sys.argv[2:]: jsonschema.validate(json.load(open(f)), s)\n",
+                          QString::fromStdString(schema)};
+    for (const auto& e : shippedExperiments()) arguments << QString::fromStdString(e.file.string());
+    QProcess python;
+    python.setProcessChannelMode(QProcess::MergedChannels);
+    python.start("/usr/bin/python3", arguments);
+    QVERIFY(python.waitForFinished(60000));
+    QVERIFY2(python.exitCode() == 0, python.readAll().constData());
+  }
+};
+
+QTEST_GUILESS_MAIN(TestShippedExperiments)
+#include "test_shipped_experiments.moc"
