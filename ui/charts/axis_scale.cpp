@@ -101,7 +101,8 @@ Span niceSpan(Span data, bool log, int ticks) {
     data = {data.low - margin, data.high + margin};
   }
   const double step = niceStep(data.width(), ticks);
-  return {std::floor(data.low / step + kRounding) * step, std::ceil(data.high / step - kRounding) * step};
+  return {std::floor(data.low / step + kRounding) * step,
+          std::ceil(data.high / step - kRounding) * step};
 }
 
 double roomyEnd(double low, double high) {
@@ -118,7 +119,9 @@ Span zoomed(const AxisScale& scale, double unit, double factor) {
   return part(scale, unit - unit * factor, unit + (1 - unit) * factor);
 }
 
-Span panned(const AxisScale& scale, double by) { return part(scale, by, 1 + by); }
+Span panned(const AxisScale& scale, double by) {
+  return part(scale, by, 1 + by);
+}
 
 Span part(const AxisScale& scale, double unitA, double unitB) {
   return {scale.fromUnit(std::min(unitA, unitB)), scale.fromUnit(std::max(unitA, unitB))};

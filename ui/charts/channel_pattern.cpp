@@ -39,7 +39,8 @@ std::optional<std::size_t> findX(const std::string& pattern, const std::vector<s
 
 }  // namespace
 
-std::optional<std::vector<std::string>> matchPattern(std::string_view pattern, std::string_view name) {
+std::optional<std::vector<std::string>> matchPattern(std::string_view pattern,
+                                                     std::string_view name) {
   std::vector<std::string> found;
   if (!match(pattern, name, found)) return std::nullopt;
   return found;
@@ -49,7 +50,8 @@ std::vector<std::string> splitPatterns(std::string_view patterns) {
   std::vector<std::string> parts;
   while (!patterns.empty()) {
     const std::size_t comma = std::min(patterns.find(','), patterns.size());
-    if (const auto part = trimmed(patterns.substr(0, comma)); !part.empty()) parts.emplace_back(part);
+    if (const auto part = trimmed(patterns.substr(0, comma)); !part.empty())
+      parts.emplace_back(part);
     patterns.remove_prefix(std::min(comma + 1, patterns.size()));
   }
   return parts;
@@ -61,9 +63,11 @@ std::string joinPatterns(const std::vector<std::string>& patterns) {
   return text;
 }
 
-std::vector<CurveChannels> resolveCurves(const ChartSpec& spec, const std::vector<Channel>& channels) {
+std::vector<CurveChannels> resolveCurves(const ChartSpec& spec,
+                                         const std::vector<Channel>& channels) {
   std::vector<CurveChannels> curves;
-  const std::string xPattern = spec.kind == ChartKind::XY ? std::string(trimmed(spec.x)) : std::string();
+  const std::string xPattern =
+      spec.kind == ChartKind::XY ? std::string(trimmed(spec.x)) : std::string();
   for (const auto& pattern : splitPatterns(spec.channels)) {
     for (std::size_t y = 0; y < channels.size(); ++y) {
       const auto stars = matchPattern(pattern, channels[y].name);
@@ -87,7 +91,8 @@ ChartSpec withChannel(ChartSpec spec, const std::string& name) {
   return spec;
 }
 
-ChartSpec withoutChannel(ChartSpec spec, const std::string& name, const std::vector<Channel>& channels) {
+ChartSpec withoutChannel(ChartSpec spec, const std::string& name,
+                         const std::vector<Channel>& channels) {
   std::vector<std::string> kept;
   for (const auto& pattern : splitPatterns(spec.channels)) {
     if (!matchPattern(pattern, name)) {

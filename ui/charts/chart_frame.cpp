@@ -8,9 +8,12 @@ namespace {
 
 constexpr double kPixelsPerXTick = 80;
 constexpr double kPixelsPerYTick = 34;
-constexpr Span kNothing{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+constexpr Span kNothing{std::numeric_limits<double>::infinity(),
+                        -std::numeric_limits<double>::infinity()};
 
-int tickCount(double pixels, double perTick) { return std::clamp(static_cast<int>(pixels / perTick), 2, 12); }
+int tickCount(double pixels, double perTick) {
+  return std::clamp(static_cast<int>(pixels / perTick), 2, 12);
+}
 
 void include(Span& span, double value) {
   span.low = std::min(span.low, value);
@@ -37,7 +40,8 @@ Span timeSpan(const CurveList& list, bool log) {
     const double end = recording.value(0, rows - 1);
     const double zero = recording.value(0, 0);
     const std::size_t firstPositive = recording.lowerBound(std::numeric_limits<double>::min());
-    include(span, log && zero <= 0 && firstPositive < rows ? recording.value(0, firstPositive) : zero);
+    include(span,
+            log && zero <= 0 && firstPositive < rows ? recording.value(0, firstPositive) : zero);
     include(span, end);
   }
   if (log) return fitted(span, true, 5);
@@ -56,7 +60,8 @@ Span extent(const ChartFrame& frame, std::size_t axis) {
   for (const auto& curve : frame.curves) {
     if (curve.hidden || curve.axis != axis) continue;
     for (const QPointF& point : curve.points) {
-      if (point.x() >= frame.x.scale.span.low && point.x() <= frame.x.scale.span.high) include(span, point.y());
+      if (point.x() >= frame.x.scale.span.low && point.x() <= frame.x.scale.span.high)
+        include(span, point.y());
     }
   }
   return span;
@@ -64,7 +69,8 @@ Span extent(const ChartFrame& frame, std::size_t axis) {
 
 }  // namespace
 
-ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget) {
+ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summaries,
+                               std::size_t& rowBudget) {
   complete_ = true;
   ChartFrame frame;
   const int xTicks = tickCount(request.plotSize.width(), kPixelsPerXTick);
@@ -73,7 +79,8 @@ ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summar
     FrameAxis axis;
     axis.unit = request.list.units[i];
     axis.scale.log = request.spec.logY;
-    if (const auto at = request.view.y.find(axis.unit); at != request.view.y.end()) axis.scale.span = at->second;
+    if (const auto at = request.view.y.find(axis.unit); at != request.view.y.end())
+      axis.scale.span = at->second;
     frame.y.push_back(std::move(axis));
   }
   for (const auto& curve : request.list.curves) {
@@ -85,7 +92,8 @@ ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summar
     addTimeCurves(request, summaries, rowBudget, frame);
     for (std::size_t i = 0; i < frame.y.size(); ++i) {
       auto& axis = frame.y[i];
-      if (!request.view.y.contains(axis.unit)) axis.scale.span = fitted(extent(frame, i), axis.scale.log, yTicks);
+      if (!request.view.y.contains(axis.unit))
+        axis.scale.span = fitted(extent(frame, i), axis.scale.log, yTicks);
     }
   } else {
     addXyCurves(request, summaries, rowBudget, frame);
@@ -100,28 +108,36 @@ ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summar
   return frame;
 }
 
-void FrameBuilder::addTimeCurves(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget,
-                                 ChartFrame& frame) {
+void FrameBuilder::forgetTraces() {
+  xyTraces_.clear();
+  timeTraces_.clear();
+  bounds_.clear();
+}
+
+void FrameBuilder::addTimeCurves(const FrameRequest& request, SummaryCache& summaries,
+                                 std::size_t& rowBudget, ChartFrame& frame) {
   auto& x = frame.x.scale;
   x.span = request.view.x ? *request.view.x : timeSpan(request.list, x.log);
   if (!isUsable(x.span, x.log)) x.span = timeSpan(request.list, x.log);
-  const int columns = std::clamp(static_cast<int>(request.plotSize.width() * request.pixelRatio), 16, 4096);
-  std::map<const Recording*, std::vector<std::size_t>> boundsOf;
+  const int columns =
+      std::clamp(static_cast<int>(request.plotSize.width() * request.pixelRatio), 16, 4096);
+  timeTraces_.resize(frame.curves.size());
+  std::map<const Recording*, std::size_t> rowsOf;  // of this frame, while the recordings grow
   for (std::size_t i = 0; i < frame.curves.size(); ++i) {
     const Curve& curve = request.list.curves[i];
     if (curve.hidden) continue;
     const Recording& recording = *curve.recording;
-    auto& bounds = boundsOf[&recording];
-    if (bounds.empty()) bounds = columnBounds(recording, recording.rows(), x, columns);
+    const std::size_t rows = rowsOf.try_emplace(&recording, recording.rows()).first->second;
+    const auto& bounds = bounds_[&recording].update(recording, rows, x, columns);
     auto& summary = summaries.summary(curve.recording, curve.yChannel, counted(request.spec.logY));
     rowBudget -= summary.extend(rowBudget);
     complete_ = complete_ && summary.rows() >= bounds.back();
-    frame.curves[i].points = decimate(recording, summary, bounds);
+    frame.curves[i].points = timeTraces_[i].update(recording, summary, x, bounds);
   }
 }
 
-void FrameBuilder::addXyCurves(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget,
-                               ChartFrame& frame) {
+void FrameBuilder::addXyCurves(const FrameRequest& request, SummaryCache& summaries,
+                               std::size_t& rowBudget, ChartFrame& frame) {
   Span xData = kNothing;
   std::vector<Span> yData(frame.y.size(), kNothing);
   const auto whole = [&](const Curve& curve, std::size_t channel, bool log, Span& span) {
@@ -148,15 +164,15 @@ void FrameBuilder::addXyCurves(const FrameRequest& request, SummaryCache& summar
     if (request.view.y.contains(axis.unit)) continue;
     axis.scale.span = fitted(yData[i], axis.scale.log, tickCount(size.height(), kPixelsPerYTick));
   }
-  traces_.resize(request.list.curves.size());
+  xyTraces_.resize(request.list.curves.size());
   for (std::size_t i = 0; i < request.list.curves.size(); ++i) {
     const Curve& curve = request.list.curves[i];
     if (curve.hidden) continue;
-    rowBudget -= traces_[i].update(*curve.recording, curve.xChannel, curve.yChannel, x,
-                                   frame.y[curve.axis].scale, size.width() * request.pixelRatio,
-                                   size.height() * request.pixelRatio, rowBudget);
-    complete_ = complete_ && traces_[i].complete(*curve.recording);
-    frame.curves[i].points = traces_[i].points();
+    rowBudget -= xyTraces_[i].update(*curve.recording, curve.xChannel, curve.yChannel, x,
+                                     frame.y[curve.axis].scale, size.width() * request.pixelRatio,
+                                     size.height() * request.pixelRatio, rowBudget);
+    complete_ = complete_ && xyTraces_[i].complete(*curve.recording);
+    frame.curves[i].points = xyTraces_[i].points();
   }
 }
 

@@ -48,12 +48,12 @@ struct FrameRequest {
   const ChartSpec& spec;
   const CurveList& list;
   const ChartView& view;
-  QSizeF plotSize;           ///< in device-independent pixels
-  double pixelRatio = 1;     ///< device pixels per pixel: sets the number of columns
+  QSizeF plotSize;        ///< in device-independent pixels
+  double pixelRatio = 1;  ///< device pixels per pixel: sets the number of columns
   QLocale locale;
 };
 
-/// Builds frames of one chart; remembers the traces of its xy curves.
+/// Builds frames of one chart; remembers the traces of its curves, so that a frame reads new rows only.
 class FrameBuilder {
  public:
   /// Reads at most `rowBudget` rows that were not read before (and counts it down); `complete` tells whether all
@@ -61,7 +61,7 @@ class FrameBuilder {
   ChartFrame build(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget);
   [[nodiscard]] bool complete() const { return complete_; }
   /// Call when the curves have changed.
-  void forgetTraces() { traces_.clear(); }
+  void forgetTraces();
 
  private:
   void addTimeCurves(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget,
@@ -69,7 +69,9 @@ class FrameBuilder {
   void addXyCurves(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget,
                    ChartFrame& frame);
 
-  std::vector<XyTrace> traces_;
+  std::vector<XyTrace> xyTraces_;
+  std::vector<TimeTrace> timeTraces_;
+  std::map<const Recording*, ColumnBounds> bounds_;
   bool complete_ = true;
 };
 

@@ -67,7 +67,8 @@ ChartGrid::~ChartGrid() {
 void ChartGrid::buildEmptyState() {
   empty_ = new QWidget(this);
   auto* column = new QVBoxLayout(empty_);
-  auto* text = new QLabel(tr("No charts yet. Add one, or drag channels here from the signal tree."), empty_);
+  auto* text =
+      new QLabel(tr("No charts yet. Add one, or drag channels here from the signal tree."), empty_);
   text->setObjectName(QStringLiteral("chartGridEmptyText"));
   text->setAlignment(Qt::AlignCenter);
   text->setWordWrap(true);
@@ -93,10 +94,13 @@ ChartPane* ChartGrid::makePane(const ChartSpec& spec) {
   connect(pane, &ChartPane::maximizeAsked, this,
           [this, pane] { maximize(maximized_ == pane ? nullptr : pane); });
   // Later, since the pane's own menu is still open while it asks.
-  connect(pane, &ChartPane::closeAsked, this, [this, pane] {
-    removePane(pane);
-    setEdited();
-  }, Qt::QueuedConnection);
+  connect(
+      pane, &ChartPane::closeAsked, this,
+      [this, pane] {
+        removePane(pane);
+        setEdited();
+      },
+      Qt::QueuedConnection);
   connect(pane, &ChartPane::splitAsked, this, [this, pane](Qt::Orientation orientation) {
     splitPane(pane, orientation);
     setEdited();
@@ -262,9 +266,13 @@ void ChartGrid::showEvent(QShowEvent* event) {
   startClock();
 }
 
-void ChartGrid::setTimeCursor(std::optional<double> time) { link_.setCursor(Cursor::A, time); }
+void ChartGrid::setTimeCursor(std::optional<double> time) {
+  link_.setCursor(Cursor::A, time);
+}
 
-void ChartGrid::setEdited() { emit specsChanged(); }
+void ChartGrid::setEdited() {
+  emit specsChanged();
+}
 
 void ChartGrid::dragEnterEvent(QDragEnterEvent* event) {
   if (!channelsIn(event->mimeData()).isEmpty()) event->acceptProposedAction();

@@ -65,7 +65,8 @@ void LegendItem::paintEvent(QPaintEvent*) {
   painter.setFont(font());
   for (int i = 0; i < cells_.size(); ++i) {
     const QRect cell(width() - cells + i * cellWidth_, 0, cellWidth_ - kPadding, height());
-    painter.drawText(cell, Qt::AlignVCenter | Qt::AlignRight, metrics.elidedText(cells_[i], Qt::ElideRight, cell.width()));
+    painter.drawText(cell, Qt::AlignVCenter | Qt::AlignRight,
+                     metrics.elidedText(cells_[i], Qt::ElideRight, cell.width()));
   }
 }
 
@@ -123,12 +124,14 @@ void ChartLegend::setReadouts(const QStringList& heads, const std::vector<QStrin
   if (changed) widestCell_ = 0;
   const QFontMetrics metrics(font());
   const auto measure = [&](const QStringList& texts) {
-    for (const QString& text : texts) widestCell_ = std::max(widestCell_, metrics.horizontalAdvance(text) + 3 * kPadding);
+    for (const QString& text : texts)
+      widestCell_ = std::max(widestCell_, metrics.horizontalAdvance(text) + 3 * kPadding);
   };
   measure(heads);
   for (const auto& row : cells) measure(row);
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    items_[i]->setCells(i < cells.size() && !heads.isEmpty() ? cells[i] : QStringList(), cellWidth());
+    items_[i]->setCells(i < cells.size() && !heads.isEmpty() ? cells[i] : QStringList(),
+                        cellWidth());
   }
   if (changed) arrange();
   body_->update();
@@ -136,7 +139,8 @@ void ChartLegend::setReadouts(const QStringList& heads, const std::vector<QStrin
 
 int ChartLegend::cellWidth() const {
   const auto columns = std::max<qsizetype>(1, heads_.size());
-  return std::min(widestCell_, static_cast<int>(kCellShare * viewport()->width() / static_cast<double>(columns)));
+  return std::min(widestCell_, static_cast<int>(kCellShare * viewport()->width() /
+                                                static_cast<double>(columns)));
 }
 
 void ChartLegend::setMostHeight(int height) {
@@ -149,8 +153,10 @@ void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("legendMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  menu->addAction(item->entry().hidden ? tr("Show this curve") : tr("Hide this curve"), item, &LegendItem::click);
-  menu->addAction(tr("Remove %1 from this chart").arg(item->entry().channel), item, &LegendItem::removeAsked);
+  menu->addAction(item->entry().hidden ? tr("Show this curve") : tr("Hide this curve"), item,
+                  &LegendItem::click);
+  menu->addAction(tr("Remove %1 from this chart").arg(item->entry().channel), item,
+                  &LegendItem::removeAsked);
   menu->popup(globalPosition);
 }
 
@@ -162,7 +168,8 @@ void ChartLegend::arrange() {
   int x = kBetween;
   int y = table ? rowHeight : 0;
   for (auto* item : items_) {
-    const int wanted = table ? width - 2 * kBetween : std::min(item->sizeHint().width(), width - 2 * kBetween);
+    const int wanted =
+        table ? width - 2 * kBetween : std::min(item->sizeHint().width(), width - 2 * kBetween);
     if (x > kBetween && (table || x + wanted > width)) {
       x = kBetween;
       y += rowHeight;
@@ -184,7 +191,8 @@ void ChartLegend::paintHeads() {
   const int cell = cellWidth();
   int x = body_->width() - kBetween - static_cast<int>(heads_.size()) * cell;
   for (const QString& head : heads_) {
-    painter.drawText(QRect(x, 0, cell - kPadding, metrics.height() + 2), Qt::AlignRight | Qt::AlignVCenter, head);
+    painter.drawText(QRect(x, 0, cell - kPadding, metrics.height() + 2),
+                     Qt::AlignRight | Qt::AlignVCenter, head);
     x += cell;
   }
 }

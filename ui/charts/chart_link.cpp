@@ -19,7 +19,9 @@ void ChartLink::newestTime(double time) {
   setTimeRange(Span{time - timeRange_->width(), time});
 }
 
-std::optional<double> ChartLink::cursor(Cursor which) const { return which == Cursor::A ? a_ : b_; }
+std::optional<double> ChartLink::cursor(Cursor which) const {
+  return which == Cursor::A ? a_ : b_;
+}
 
 void ChartLink::setCursor(Cursor which, std::optional<double> time) {
   auto& cursor = which == Cursor::A ? a_ : b_;

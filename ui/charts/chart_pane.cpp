@@ -21,7 +21,8 @@ constexpr double kLegendShare = 0.35;
 
 }  // namespace
 
-ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent) : QFrame(parent), runs_(runs), link_(link) {
+ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent)
+    : QFrame(parent), runs_(runs), link_(link) {
   build();
   pending_.setSingleShot(true);
   pending_.setInterval(0);
@@ -48,15 +49,16 @@ ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent) : QFrame(pa
 
 void ChartPane::setSpec(const ChartSpec& spec) {
   if (spec == spec_) return;
-  const bool otherAxes =
-      spec.kind != spec_.kind || spec.logX != spec_.logX || spec.logY != spec_.logY || spec.x != spec_.x;
+  const bool otherAxes = spec.kind != spec_.kind || spec.logX != spec_.logX ||
+                         spec.logY != spec_.logY || spec.x != spec_.x;
   spec_ = spec;
   if (otherAxes) {
     x_.reset();
     y_.clear();
     history_.clear();
   }
-  if (title_->text() != QString::fromStdString(spec.title)) title_->setText(QString::fromStdString(spec.title));
+  if (title_->text() != QString::fromStdString(spec.title))
+    title_->setText(QString::fromStdString(spec.title));
   setAccessibleName(spec.title.empty() ? tr("Chart") : tr("Chart %1").arg(title_->text()));
   takeCurves();
 }
@@ -67,7 +69,9 @@ void ChartPane::edit(ChartSpec spec) {
   emit specChanged();
 }
 
-void ChartPane::addChannel(const QString& channel) { edit(withChannel(spec_, channel.toStdString())); }
+void ChartPane::addChannel(const QString& channel) {
+  edit(withChannel(spec_, channel.toStdString()));
+}
 
 void ChartPane::removeChannel(const QString& channel) {
   edit(withoutChannel(spec_, channel.toStdString(), runs_->channels()));
@@ -82,7 +86,8 @@ void ChartPane::takeCurves() {
     const QString unit = prettyUnit(curve.y().unit);
     QString tip = QString::fromStdString(curve.y().description);
     if (!unit.isEmpty()) tip += QStringLiteral(" [%1]").arg(unit);
-    entries.push_back({curve.label, tip.trimmed(), curve.style, curve.hidden, QString::fromStdString(curve.y().name)});
+    entries.push_back({curve.label, tip.trimmed(), curve.style, curve.hidden,
+                       QString::fromStdString(curve.y().name)});
   }
   legend_->setEntries(entries);
   updateHint();
@@ -91,8 +96,8 @@ void ChartPane::takeCurves() {
 }
 
 void ChartPane::updateHint() {
-  const bool anyVisible =
-      std::any_of(runs_->runs().begin(), runs_->runs().end(), [](const ChartRun& run) { return run.visible; });
+  const bool anyVisible = std::any_of(runs_->runs().begin(), runs_->runs().end(),
+                                      [](const ChartRun& run) { return run.visible; });
   QString hint;
   if (splitPatterns(spec_.channels).empty()) {
     hint = tr("Drag channels here from the signal tree, or double-click one there.");
@@ -124,7 +129,8 @@ bool ChartPane::refresh(std::size_t& rowBudget) {
   const std::size_t rows = publishedRows();
   const bool growing = runs_->growing();
   if (!stale_ && rows == rowsShown_ && growing == growingShown_) return false;
-  const FrameRequest request{spec_, curves_, view(), plot_->plotSize(), devicePixelRatioF(), QLocale()};
+  const FrameRequest request{spec_,    curves_, view(), plot_->plotSize(), devicePixelRatioF(),
+                             QLocale()};
   ChartFrame frame = builder_.build(request, runs_->summaries(), rowBudget);
   plot_->setContent({std::move(frame), spec_.kind, view(), rings()});
   rowsShown_ = rows;
@@ -138,10 +144,13 @@ bool ChartPane::refresh(std::size_t& rowBudget) {
 ChartFrame ChartPane::frameFor(QSizeF plotSize, double pixelRatio, const QLocale& locale) const {
   FrameBuilder builder;
   std::size_t budget = std::numeric_limits<std::size_t>::max();
-  return builder.build({spec_, curves_, view(), plotSize, pixelRatio, locale}, runs_->summaries(), budget);
+  return builder.build({spec_, curves_, view(), plotSize, pixelRatio, locale}, runs_->summaries(),
+                       budget);
 }
 
-ChartView ChartPane::view() const { return {spec_.kind == ChartKind::Time ? link_->timeRange() : x_, y_}; }
+ChartView ChartPane::view() const {
+  return {spec_.kind == ChartKind::Time ? link_->timeRange() : x_, y_};
+}
 
 void ChartPane::setView(const ChartView& view) {
   if (spec_.kind == ChartKind::Time) {
@@ -156,7 +165,8 @@ void ChartPane::setView(const ChartView& view) {
 void ChartPane::viewChosen(const ChartView& chosen, bool continuous) {
   const ChartView before = this->view();
   if (chosen == before) return;
-  const bool goesOn = continuous && gestureClock_.isValid() && gestureClock_.elapsed() < kGesturePauseMs;
+  const bool goesOn =
+      continuous && gestureClock_.isValid() && gestureClock_.elapsed() < kGesturePauseMs;
   if (!goesOn) history_.push_back(before);
   if (history_.size() > kMostHistory) history_.erase(history_.begin());
   if (continuous) {
@@ -165,7 +175,8 @@ void ChartPane::viewChosen(const ChartView& chosen, bool continuous) {
     gestureClock_.invalidate();
   }
   // Zooming by the wheel keeps following; another place in time does not.
-  const bool sameWidth = chosen.x && before.x && std::abs(chosen.x->width() / before.x->width() - 1) < 1e-9;
+  const bool sameWidth =
+      chosen.x && before.x && std::abs(chosen.x->width() / before.x->width() - 1) < 1e-9;
   if (chosen.x != before.x && (!continuous || sameWidth)) link_->setFollows(false);
   setView(chosen);
 }
@@ -240,7 +251,8 @@ void ChartPane::dropEvent(QDropEvent* event) {
   dropHere_ = false;
   update();
   ChartSpec spec = spec_;
-  for (const QString& channel : channelsIn(event->mimeData())) spec = withChannel(spec, channel.toStdString());
+  for (const QString& channel : channelsIn(event->mimeData()))
+    spec = withChannel(spec, channel.toStdString());
   event->acceptProposedAction();
   emit activated();
   edit(spec);
@@ -252,7 +264,8 @@ void ChartPane::setCurrent(bool current) {
 }
 
 bool ChartPane::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::FocusIn || event->type() == QEvent::MouseButtonPress) emit activated();
+  if (event->type() == QEvent::FocusIn || event->type() == QEvent::MouseButtonPress)
+    emit activated();
   return QFrame::eventFilter(watched, event);
 }
 

@@ -54,7 +54,8 @@ class ChartPane : public QFrame {
   [[nodiscard]] ChartLegend* legend() const { return legend_; }
   [[nodiscard]] QMenu* menu() const { return menu_; }
   /// The frame of this view for a plot of another size, complete.
-  [[nodiscard]] ChartFrame frameFor(QSizeF plotSize, double pixelRatio, const QLocale& locale) const;
+  [[nodiscard]] ChartFrame frameFor(QSizeF plotSize, double pixelRatio,
+                                    const QLocale& locale) const;
   /// The pane a grid shows as the one that takes channels added by keyboard or double click.
   void setCurrent(bool current);
   void setMaximized(bool maximized);
@@ -99,7 +100,7 @@ class ChartPane : public QFrame {
   HiddenCurves hidden_;
   CurveList curves_;
   mutable FrameBuilder builder_;
-  std::optional<Span> x_;       ///< of an xy chart; a time chart shares it through the link
+  std::optional<Span> x_;  ///< of an xy chart; a time chart shares it through the link
   std::map<std::string, Span> y_;
   std::vector<ChartView> history_;
   QElapsedTimer gestureClock_;

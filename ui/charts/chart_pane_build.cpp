@@ -90,7 +90,8 @@ void ChartPane::build() {
 void ChartPane::buildMenu() {
   menu_ = new QMenu(this);
   menu_->setObjectName(QStringLiteral("chartMenu"));
-  const auto add = [this](const QString& text, const char* name, const QKeySequence& key, auto slot) {
+  const auto add = [this](const QString& text, const char* name, const QKeySequence& key,
+                          auto slot) {
     QAction* action = menu_->addAction(text);
     action->setObjectName(QLatin1String(name));
     action->setShortcut(key);
@@ -108,7 +109,8 @@ void ChartPane::buildMenu() {
       spec.*member = on;
       edit(spec);
     });
-    connect(menu_, &QMenu::aboutToShow, action, [this, action, member] { action->setChecked(spec_.*member); });
+    connect(menu_, &QMenu::aboutToShow, action,
+            [this, action, member] { action->setChecked(spec_.*member); });
   };
   add(tr("Fit all"), "fitChart", Qt::Key_F, [this] { fit(); });
   add(tr("Zoom back"), "zoomBack", Qt::Key_Backspace, [this] { back(); });
@@ -116,7 +118,8 @@ void ChartPane::buildMenu() {
   follow->setObjectName(QStringLiteral("followNewest"));
   follow->setCheckable(true);
   connect(follow, &QAction::triggered, link_, &ChartLink::setFollows);
-  connect(menu_, &QMenu::aboutToShow, follow, [this, follow] { follow->setChecked(link_->follows()); });
+  connect(menu_, &QMenu::aboutToShow, follow,
+          [this, follow] { follow->setChecked(link_->follows()); });
   menu_->addSeparator();
   toggle(tr("Logarithmic horizontal axis"), "logX", &ChartSpec::logX);
   toggle(tr("Logarithmic vertical axis"), "logY", &ChartSpec::logY);
@@ -130,7 +133,8 @@ void ChartPane::buildMenu() {
   menu_->addSeparator();
   add(tr("Split to the right"), "splitRight", {}, [this] { emit splitAsked(Qt::Horizontal); });
   add(tr("Split below"), "splitBelow", {}, [this] { emit splitAsked(Qt::Vertical); });
-  add(tr("Show only this chart"), "maximizeChartAction", Qt::Key_M, [this] { emit maximizeAsked(); });
+  add(tr("Show only this chart"), "maximizeChartAction", Qt::Key_M,
+      [this] { emit maximizeAsked(); });
   add(tr("Remove chart"), "removeChart", {}, [this] { emit closeAsked(); });
   menuButton_->setMenu(menu_);
 }
@@ -143,7 +147,8 @@ void ChartPane::fillRemoveMenu() {
     if (!names.contains(name)) names += name;
   }
   if (names.isEmpty()) {
-    for (const auto& pattern : splitPatterns(spec_.channels)) names += QString::fromStdString(pattern);
+    for (const auto& pattern : splitPatterns(spec_.channels))
+      names += QString::fromStdString(pattern);
   }
   removeMenu_->setEnabled(!names.isEmpty());
   for (const QString& name : names) {

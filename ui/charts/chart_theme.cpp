@@ -9,13 +9,17 @@ namespace {
 
 QColor blend(const QColor& a, const QColor& b, double share) {
   const auto mix = [share](double x, double y) { return static_cast<float>(x + share * (y - x)); };
-  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()), mix(a.blueF(), b.blueF()));
+  return QColor::fromRgbF(mix(a.redF(), b.redF()), mix(a.greenF(), b.greenF()),
+                          mix(a.blueF(), b.blueF()));
 }
 
 /// Relative luminance and contrast ratio of WCAG 2.1.
 double luminance(const QColor& color) {
-  const auto linear = [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); };
-  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
+  const auto linear = [](double c) {
+    return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) +
+         0.0722 * linear(color.blueF());
 }
 
 double contrast(const QColor& a, const QColor& b) {
@@ -38,17 +42,21 @@ ChartTheme make(const QColor& ground, const QColor& text, const QColor& accent) 
 }  // namespace
 
 ChartTheme ChartTheme::of(const QPalette& palette) {
-  return make(palette.color(QPalette::Base), palette.color(QPalette::Text), palette.color(QPalette::Highlight));
+  return make(palette.color(QPalette::Base), palette.color(QPalette::Text),
+              palette.color(QPalette::Highlight));
 }
 
-ChartTheme ChartTheme::paper() { return make(Qt::white, QColor(0x20, 0x20, 0x20), QColor(0x00, 0x72, 0xb2)); }
+ChartTheme ChartTheme::paper() {
+  return make(Qt::white, QColor(0x20, 0x20, 0x20), QColor(0x00, 0x72, 0xb2));
+}
 
 QColor ChartTheme::readable(const QColor& color) const {
   // Graphics need 2:1 here and not the 3:1 of WCAG, so that the palette keeps its orange on white.
   constexpr double kContrast = 2.0;
   const double wanted = dark ? 4.0 : kContrast;
   QColor result = color;
-  for (int i = 0; i < 8 && contrast(result, ground) < wanted; ++i) result = blend(result, text, 0.15);
+  for (int i = 0; i < 8 && contrast(result, ground) < wanted; ++i)
+    result = blend(result, text, 0.15);
   return result;
 }
 

@@ -49,7 +49,8 @@ void Extremes::merge(const Extremes& later) {
   }
 }
 
-ColumnSummary::ColumnSummary(std::shared_ptr<const Recording> recording, std::size_t channel, Values values)
+ColumnSummary::ColumnSummary(std::shared_ptr<const Recording> recording, std::size_t channel,
+                             Values values)
     : recording_(std::move(recording)), channel_(channel), values_(values) {}
 
 double ColumnSummary::value(std::size_t row) const {
@@ -113,15 +114,16 @@ Extremes ColumnSummary::extremes(std::size_t first, std::size_t last) const {
   return result;
 }
 
-ColumnSummary& SummaryCache::summary(const std::shared_ptr<const Recording>& recording, std::size_t channel,
-                                     ColumnSummary::Values values) {
+ColumnSummary& SummaryCache::summary(const std::shared_ptr<const Recording>& recording,
+                                     std::size_t channel, ColumnSummary::Values values) {
   auto& slot = summaries_[Key{recording.get(), channel, values}];
   if (!slot) slot = std::make_unique<ColumnSummary>(recording, channel, values);
   return *slot;
 }
 
 void SummaryCache::forget(const Recording* recording) {
-  std::erase_if(summaries_, [recording](const auto& entry) { return std::get<0>(entry.first) == recording; });
+  std::erase_if(summaries_,
+                [recording](const auto& entry) { return std::get<0>(entry.first) == recording; });
 }
 
 }  // namespace rotorbench

@@ -6,7 +6,9 @@
 #include <QLineSeries>
 #include <QScatterSeries>
 #include <QValueAxis>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace rotorbench {
 namespace {
@@ -22,21 +24,76 @@ struct Mapped {
   bool dense = false;
 };
 
+/// Leaves out points that a straight line between the kept ones passes within kStraight pixels: a smooth curve
+/// needs few points, and both the series and the painter cost time per point. Lines that go backwards are kept.
+class Straightener {
+ public:
+  explicit Straightener(QList<QPointF>& points) : points_(points) {}
+
+  void add(QPointF point) {
+    if (points_.isEmpty()) return start(point);
+    const double dx = point.x() - points_.last().x();
+    if (waiting_) {
+      const double slope = (point.y() - points_.last().y()) / dx;
+      if (!(point.x() > next_.x()) || !(slope >= low_ && slope <= high_)) start(next_);
+    }
+    narrow(point);
+  }
+  void finish() {
+    if (waiting_) points_.append(next_);
+  }
+
+ private:
+  static constexpr double kStraight = 0.2;
+
+  void start(QPointF point) {
+    points_.append(point);
+    waiting_ = false;
+    low_ = -std::numeric_limits<double>::infinity();
+    high_ = std::numeric_limits<double>::infinity();
+  }
+  /// Narrows the directions in which a line from the last kept point passes all points since.
+  void narrow(QPointF point) {
+    const QPointF from = points_.last();
+    const double dx = point.x() - from.x();
+    if (!(dx > 0)) return start(point);
+    low_ = std::max(low_, (point.y() - kStraight - from.y()) / dx);
+    high_ = std::min(high_, (point.y() + kStraight - from.y()) / dx);
+    next_ = point;
+    waiting_ = true;
+  }
+
+  QList<QPointF>& points_;
+  QPointF next_;
+  bool waiting_ = false;
+  double low_ = 0, high_ = 0;
+};
+
 Mapped toPixels(const FrameCurve& curve, const AxisScale& x, const AxisScale& y, QSizeF size) {
   // Far outside the plot a line keeps its direction well enough, and the painter its precision.
   constexpr double kFar = 16;
   Mapped mapped;
   mapped.points.reserve(curve.points.size());
+  Straightener straightener(mapped.points);
   double length = 0;
+  QPointF last;
+  bool first = true;
   for (const QPointF& point : curve.points) {
     const double unitX = x.toUnit(point.x());
     const double unitY = y.toUnit(point.y());
     if (!std::isfinite(unitX) || !std::isfinite(unitY)) continue;
     const QPointF pixel(std::clamp(unitX, -kFar, kFar) * size.width(),
                         std::clamp(unitY, -kFar, kFar) * size.height());
-    if (!mapped.points.isEmpty()) length += std::abs(pixel.y() - mapped.points.last().y());
-    mapped.points.append(pixel);
+    if (!first) length += std::abs(pixel.y() - last.y());
+    first = false;
+    last = pixel;
+    if (curve.style.markers) {
+      mapped.points.append(pixel);
+    } else {
+      straightener.add(pixel);
+    }
   }
+  straightener.finish();
   mapped.dense = length > kDenseWidths * size.width();
   return mapped;
 }
@@ -115,7 +172,8 @@ struct CurveLayer::Impl {
 CurveLayer::CurveLayer() : impl_(std::make_unique<Impl>()) {}
 CurveLayer::~CurveLayer() = default;
 
-void CurveLayer::setFrame(const ChartFrame& frame, QSizeF size, const ChartTheme& theme, qreal lineWidth) {
+void CurveLayer::setFrame(const ChartFrame& frame, QSizeF size, const ChartTheme& theme,
+                          qreal lineWidth) {
   impl_->resize(size);
   impl_->resizeSeries(frame.curves.size());
   impl_->smooth = true;
@@ -128,9 +186,10 @@ void CurveLayer::setFrame(const ChartFrame& frame, QSizeF size, const ChartTheme
     if (mapped.dense) style.dash = 0;
     const QPen pen = curvePen(style, theme, mapped.dense ? 1 : lineWidth);
     if (pair.line->pen() != pen) pair.line->setPen(pen);
-    if (!pair.line->points().isEmpty() || !mapped.points.isEmpty()) pair.line->replace(mapped.points);
-    const bool marks = mapped.points.size() == 1 ||
-                       (style.markers && mapped.points.size() <= kMostMarkers);
+    if (!pair.line->points().isEmpty() || !mapped.points.isEmpty())
+      pair.line->replace(mapped.points);
+    const bool marks =
+        mapped.points.size() == 1 || (style.markers && mapped.points.size() <= kMostMarkers);
     impl_->setMarks(pair, marks ? mapped.points : QList<QPointF>(), theme.readable(style.color));
   }
 }

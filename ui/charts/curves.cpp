@@ -15,7 +15,9 @@ constexpr int kMostQuantities = 3;
 QString channelKey(const Curve& curve) {
   return QString::fromStdString(curve.x().name + "|" + curve.y().name);
 }
-QString runChannelKey(const Curve& curve) { return curve.runId + u'|' + channelKey(curve); }
+QString runChannelKey(const Curve& curve) {
+  return curve.runId + u'|' + channelKey(curve);
+}
 
 /// Distinct last parts of channel names, or the full name if there is only one channel.
 QString quantityOf(const std::vector<QString>& names) {
@@ -33,8 +35,9 @@ QString quantityOf(const std::vector<QString>& names) {
 void setStyles(std::vector<Curve>& curves, bool severalRuns, const RunSet& runs, bool markers) {
   std::map<std::string, int> order;
   for (auto& curve : curves) {
-    const int ordinal = order.try_emplace(curve.x().name + "|" + curve.y().name, static_cast<int>(order.size()))
-                            .first->second;
+    const int ordinal =
+        order.try_emplace(curve.x().name + "|" + curve.y().name, static_cast<int>(order.size()))
+            .first->second;
     const int index = indexInName(curve.y().name);
     const int indexDash = index > 0 ? (index - 1) % kDashCount : 0;
     curve.style.markers = markers;
@@ -55,8 +58,8 @@ bool HiddenCurves::contains(const Curve& curve) const {
 }
 
 void HiddenCurves::toggle(const Curve& curve, const std::vector<Curve>& curves) {
-  const bool severalRuns = std::any_of(curves.begin(), curves.end(),
-                                       [&](const Curve& other) { return other.runId != curve.runId; });
+  const bool severalRuns = std::any_of(
+      curves.begin(), curves.end(), [&](const Curve& other) { return other.runId != curve.runId; });
   const bool hide = !contains(curve);
   if (!severalRuns) {
     runChannels_.remove(runChannelKey(curve));
@@ -92,9 +95,9 @@ CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCur
       list.curves.push_back(std::move(curve));
     }
   }
-  const bool severalRuns = std::any_of(list.curves.begin(), list.curves.end(), [&](const Curve& curve) {
-    return curve.runId != list.curves.front().runId;
-  });
+  const bool severalRuns =
+      std::any_of(list.curves.begin(), list.curves.end(),
+                  [&](const Curve& curve) { return curve.runId != list.curves.front().runId; });
   setStyles(list.curves, severalRuns, runs, spec.markers);
   for (auto& curve : list.curves) {
     const QString name = QString::fromStdString(curve.y().name);

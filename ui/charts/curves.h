@@ -18,7 +18,7 @@ struct Curve {
   QString runId, runName;
   std::shared_ptr<const Recording> recording;
   std::size_t xChannel = 0, yChannel = 0;
-  QString label;        ///< as in the legend: the channel, after the run's name if several runs are shown
+  QString label;  ///< as in the legend: the channel, after the run's name if several runs are shown
   std::size_t axis = 0;  ///< index into the units of the chart
   CurveStyle style;
   bool hidden = false;

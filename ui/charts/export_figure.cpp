@@ -29,7 +29,8 @@ constexpr double kSvgDotsPerInch = 96;
 constexpr std::size_t kMostClipboardCells = 300'000;
 
 QString cannotWrite(const QString& path, const QString& reason) {
-  return QObject::tr("The chart could not be saved as %1: %2").arg(QDir::toNativeSeparators(path), reason);
+  return QObject::tr("The chart could not be saved as %1: %2")
+      .arg(QDir::toNativeSeparators(path), reason);
 }
 
 QString writeBytes(const QString& path, const QByteArray& bytes) {
@@ -40,7 +41,9 @@ QString writeBytes(const QString& path, const QByteArray& bytes) {
   return {};
 }
 
-QString titleOf(const ChartPane& pane) { return QString::fromStdString(pane.spec().title); }
+QString titleOf(const ChartPane& pane) {
+  return QString::fromStdString(pane.spec().title);
+}
 
 QByteArray svgBytes(const ChartPane& pane) {
   QByteArray bytes;
@@ -112,17 +115,22 @@ QImage figureImage(const ChartPane& pane, double scale) {
 
 QString exportPane(const ChartPane& pane, const QString& path, FigureFormat format) {
   switch (format) {
-    case FigureFormat::Png: return writeBytes(path, pngBytes(pane));
-    case FigureFormat::Svg: return writeBytes(path, svgBytes(pane));
-    case FigureFormat::Pdf: return writeBytes(path, pdfBytes(pane));
-    case FigureFormat::Csv: return writeBytes(path, paneCsv(pane).toUtf8());
+    case FigureFormat::Png:
+      return writeBytes(path, pngBytes(pane));
+    case FigureFormat::Svg:
+      return writeBytes(path, svgBytes(pane));
+    case FigureFormat::Pdf:
+      return writeBytes(path, pdfBytes(pane));
+    case FigureFormat::Csv:
+      return writeBytes(path, paneCsv(pane).toUtf8());
   }
   return {};
 }
 
 QString exportPane(const ChartPane& pane, const QString& path) {
   const auto format = formatOf(path);
-  if (!format) return cannotWrite(path, QObject::tr("the name must end in .png, .svg, .pdf or .csv."));
+  if (!format)
+    return cannotWrite(path, QObject::tr("the name must end in .png, .svg, .pdf or .csv."));
   return exportPane(pane, path, *format);
 }
 
@@ -147,9 +155,10 @@ QString copyPane(const ChartPane& pane) {
   const bool withTable = visibleCells(pane) <= kMostClipboardCells;
   if (withTable) data->setText(paneCsv(pane));
   QApplication::clipboard()->setMimeData(data);
-  return withTable
-             ? QObject::tr("The chart and its table were copied.")
-             : QObject::tr("The chart was copied; its table is too long for the clipboard, export it as CSV.");
+  return withTable ? QObject::tr("The chart and its table were copied.")
+                   : QObject::tr(
+                         "The chart was copied; its table is too long for the clipboard, export it "
+                         "as CSV.");
 }
 
 }  // namespace rotorbench

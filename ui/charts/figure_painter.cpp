@@ -31,8 +31,8 @@ struct PlacedEntry {
 };
 
 /// Shown curves in rows of the given width, from (0, 0) down; `height` is set to what they take.
-std::vector<PlacedEntry> placeLegend(const ChartFrame& frame, qreal width, const QFontMetricsF& metrics,
-                                     qreal& height) {
+std::vector<PlacedEntry> placeLegend(const ChartFrame& frame, qreal width,
+                                     const QFontMetricsF& metrics, qreal& height) {
   std::vector<PlacedEntry> placed;
   QPointF at(0, metrics.height() / 2);
   for (const auto& curve : frame.curves) {
@@ -46,7 +46,8 @@ std::vector<PlacedEntry> placeLegend(const ChartFrame& frame, qreal width, const
   return placed;
 }
 
-void paintLegend(QPainter& painter, const std::vector<PlacedEntry>& entries, QPointF origin, const QFont& font) {
+void paintLegend(QPainter& painter, const std::vector<PlacedEntry>& entries, QPointF origin,
+                 const QFont& font) {
   const ChartTheme theme = ChartTheme::paper();
   const QFontMetricsF metrics(font);
   painter.setFont(font);
@@ -85,7 +86,8 @@ void paintFigure(QPainter& painter, const ChartPane& pane, QSizeF size) {
     frame = pane.frameFor(plotSize, kColumnsPerPixel, QLocale::c());
     qreal legendHeight = 0;
     legend = placeLegend(frame, size.width() - 2 * kMargin, metrics, legendHeight);
-    area = QRectF(kMargin, top, size.width() - 2 * kMargin, size.height() - top - kMargin - legendHeight - 4);
+    area = QRectF(kMargin, top, size.width() - 2 * kMargin,
+                  size.height() - top - kMargin - legendHeight - 4);
     LabelWidths widths;
     layout = layoutPlot(frame, area, font, widths);
     plotSize = layout.plot.size();

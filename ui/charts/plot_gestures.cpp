@@ -38,7 +38,8 @@ std::optional<Cursor> PlotWidget::cursorNear(QPointF pixel) const {
   for (const Cursor which : {Cursor::A, Cursor::B}) {
     const auto time = link_->cursor(which);
     if (!time) continue;
-    const qreal x = layout_.plot.left() + content_.frame.x.scale.toUnit(*time) * layout_.plot.width();
+    const qreal x =
+        layout_.plot.left() + content_.frame.x.scale.toUnit(*time) * layout_.plot.width();
     if (std::abs(x - pixel.x()) <= kCursorReach) return which;
   }
   return std::nullopt;
@@ -57,7 +58,8 @@ void PlotWidget::zoomAt(QPointF pixel, double factor, bool onlyY) {
   }
   const bool allY = inside && (onlyY || content_.kind == ChartKind::XY);
   for (std::size_t i = 0; i < frame.y.size(); ++i) {
-    if (allY || overY == static_cast<int>(i)) chooseY(view, frame.y[i], zoomed(frame.y[i].scale, unit.y(), factor));
+    if (allY || overY == static_cast<int>(i))
+      chooseY(view, frame.y[i], zoomed(frame.y[i].scale, unit.y(), factor));
   }
   emit viewChosen(view, true);
 }
@@ -94,7 +96,8 @@ void PlotWidget::chooseBand() {
 
 void PlotWidget::placeCursor(Cursor which, QPointF pixel) {
   if (content_.kind != ChartKind::Time) return;
-  link_->moveCursor(which, content_.frame.x.scale.fromUnit(std::clamp(toUnit(pixel).x(), 0.0, 1.0)));
+  link_->moveCursor(which,
+                    content_.frame.x.scale.fromUnit(std::clamp(toUnit(pixel).x(), 0.0, 1.0)));
 }
 
 bool PlotWidget::moveCursorByKey(int direction, Cursor which) {
@@ -108,7 +111,8 @@ bool PlotWidget::moveCursorByKey(int direction, Cursor which) {
 void PlotWidget::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   if (notches == 0 || content_.frame.y.empty()) return event->ignore();
-  zoomAt(event->position(), std::pow(kWheelStep, notches), event->modifiers() & Qt::ControlModifier);
+  zoomAt(event->position(), std::pow(kWheelStep, notches),
+         event->modifiers() & Qt::ControlModifier);
   event->accept();
 }
 
@@ -183,12 +187,18 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
   const QPointF middle = layout_.plot.center();
   const auto pan = [this](double x, double y) { panBy({x, y}, content_.view, content_.frame); };
   switch (event->key()) {
-    case Qt::Key_Plus: return zoomAt(middle, kWheelStep, false);
-    case Qt::Key_Minus: return zoomAt(middle, 1 / kWheelStep, false);
-    case Qt::Key_A: return placeCursor(Cursor::A, middle);
-    case Qt::Key_B: return placeCursor(Cursor::B, middle);
-    case Qt::Key_Up: return pan(0, kKeyPan);
-    case Qt::Key_Down: return pan(0, -kKeyPan);
+    case Qt::Key_Plus:
+      return zoomAt(middle, kWheelStep, false);
+    case Qt::Key_Minus:
+      return zoomAt(middle, 1 / kWheelStep, false);
+    case Qt::Key_A:
+      return placeCursor(Cursor::A, middle);
+    case Qt::Key_B:
+      return placeCursor(Cursor::B, middle);
+    case Qt::Key_Up:
+      return pan(0, kKeyPan);
+    case Qt::Key_Down:
+      return pan(0, -kKeyPan);
     case Qt::Key_Left:
       if (!moveCursorByKey(-1, which)) pan(-kKeyPan, 0);
       return;
@@ -200,7 +210,8 @@ void PlotWidget::keyPressEvent(QKeyEvent* event) {
       link_->moveCursor(Cursor::B, std::nullopt);
       link_->moveCursor(Cursor::A, std::nullopt);
       return;
-    default: break;
+    default:
+      break;
   }
   QWidget::keyPressEvent(event);
 }

@@ -13,18 +13,23 @@ constexpr qreal kOuter = 4;
 const QString kLeastLabel = QStringLiteral("0.00");
 
 /// Sharp one-pixel lines lie in the middle of a pixel.
-qreal sharp(qreal v) { return std::floor(v) + 0.5; }
+qreal sharp(qreal v) {
+  return std::floor(v) + 0.5;
+}
 
-bool isLeft(std::size_t axis) { return axis % 2 == 0; }
+bool isLeft(std::size_t axis) {
+  return axis % 2 == 0;
+}
 
 qreal labelWidth(const FrameAxis& axis, const QFontMetricsF& metrics) {
   qreal width = metrics.horizontalAdvance(kLeastLabel);
-  for (const auto& tick : axis.ticks.major) width = std::max(width, metrics.horizontalAdvance(tick.label));
+  for (const auto& tick : axis.ticks.major)
+    width = std::max(width, metrics.horizontalAdvance(tick.label));
   return std::ceil(width);
 }
 
-void paintXAxis(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout, const ChartTheme& theme,
-                const QFontMetricsF& metrics) {
+void paintXAxis(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
+                const ChartTheme& theme, const QFontMetricsF& metrics) {
   const QRectF& plot = layout.plot;
   qreal freeFrom = layout.xStrip.left();
   for (const auto& tick : frame.x.ticks.major) {
@@ -34,25 +39,28 @@ void paintXAxis(QPainter& painter, const ChartFrame& frame, const PlotLayout& la
     const qreal width = metrics.horizontalAdvance(tick.label);
     if (x - width / 2 < freeFrom || x + width / 2 > layout.xStrip.right()) continue;
     painter.setPen(theme.text);
-    painter.drawText(QPointF(x - width / 2, plot.bottom() + kTick + kGap + metrics.ascent()), tick.label);
+    painter.drawText(QPointF(x - width / 2, plot.bottom() + kTick + kGap + metrics.ascent()),
+                     tick.label);
     freeFrom = x + width / 2 + metrics.averageCharWidth();
   }
   painter.setPen(theme.text);
-  const QRectF title(layout.xStrip.left(), layout.xStrip.bottom() - metrics.height(), layout.xStrip.width(),
-                     metrics.height());
+  const QRectF title(layout.xStrip.left(), layout.xStrip.bottom() - metrics.height(),
+                     layout.xStrip.width(), metrics.height());
   const QRectF centred(plot.left(), title.top(), plot.width(), title.height());
-  painter.drawText(centred, Qt::AlignCenter, metrics.elidedText(frame.x.title, Qt::ElideRight, plot.width()));
+  painter.drawText(centred, Qt::AlignCenter,
+                   metrics.elidedText(frame.x.title, Qt::ElideRight, plot.width()));
 }
 
-void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index, const PlotLayout& layout,
-                const ChartTheme& theme, const QFontMetricsF& metrics) {
+void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index,
+                const PlotLayout& layout, const ChartTheme& theme, const QFontMetricsF& metrics) {
   const QRectF& plot = layout.plot;
   const QRectF& strip = layout.yStrips[index];
   const bool left = isLeft(index);
   const qreal edge = left ? strip.right() : strip.left();
   const qreal out = left ? -1 : 1;
   painter.setPen(theme.frame);
-  if (index >= 2) painter.drawLine(QPointF(sharp(edge), plot.top()), QPointF(sharp(edge), plot.bottom()));
+  if (index >= 2)
+    painter.drawLine(QPointF(sharp(edge), plot.top()), QPointF(sharp(edge), plot.bottom()));
   for (const auto& tick : axis.ticks.major) {
     const qreal y = plot.bottom() - axis.scale.toUnit(tick.value) * plot.height();
     painter.setPen(theme.frame);
@@ -60,16 +68,19 @@ void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index, con
     painter.setPen(theme.text);
     const qreal width = metrics.horizontalAdvance(tick.label);
     const qreal x = left ? edge - kTick - kGap - width : edge + kTick + kGap;
-    const qreal baseline = std::clamp(y + metrics.capHeight() / 2, plot.top() + metrics.capHeight() - kOuter,
-                                      plot.bottom() + kOuter);
+    const qreal baseline =
+        std::clamp(y + metrics.capHeight() / 2, plot.top() + metrics.capHeight() - kOuter,
+                   plot.bottom() + kOuter);
     painter.drawText(QPointF(x, baseline), tick.label);
   }
   painter.save();
-  painter.translate(left ? strip.left() + metrics.height() / 2 : strip.right() - metrics.height() / 2,
-                    plot.center().y());
+  painter.translate(
+      left ? strip.left() + metrics.height() / 2 : strip.right() - metrics.height() / 2,
+      plot.center().y());
   painter.rotate(-90);
   const QRectF title(-plot.height() / 2, -metrics.height() / 2, plot.height(), metrics.height());
-  painter.drawText(title, Qt::AlignCenter, metrics.elidedText(axis.title, Qt::ElideRight, plot.height()));
+  painter.drawText(title, Qt::AlignCenter,
+                   metrics.elidedText(axis.title, Qt::ElideRight, plot.height()));
   painter.restore();
 }
 
@@ -82,7 +93,8 @@ int PlotLayout::yAxisAt(QPointF point) const {
   return -1;
 }
 
-PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font, LabelWidths& widths) {
+PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font,
+                      LabelWidths& widths) {
   const QFontMetricsF metrics(font);
   widths.resize(frame.y.size(), 0);
   qreal left = kOuter;
@@ -116,7 +128,8 @@ PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& 
   return layout;
 }
 
-void paintGround(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout, const ChartTheme& theme) {
+void paintGround(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
+                 const ChartTheme& theme) {
   const QRectF& plot = layout.plot;
   QColor faint = theme.grid;
   faint.setAlphaF(0.5F);
@@ -140,8 +153,8 @@ void paintGround(QPainter& painter, const ChartFrame& frame, const PlotLayout& l
   for (const auto& tick : y.ticks.major) horizontal(tick.value);
 }
 
-void paintAxes(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout, const ChartTheme& theme,
-               const QFont& font) {
+void paintAxes(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
+               const ChartTheme& theme, const QFont& font) {
   const QFontMetricsF metrics(font);
   painter.setFont(font);
   const QRectF& plot = layout.plot;

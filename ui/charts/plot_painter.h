@@ -13,8 +13,8 @@
 namespace rotorbench {
 
 struct PlotLayout {
-  QRectF plot;                 ///< inside the axes
-  QRectF xStrip;               ///< labels and title below
+  QRectF plot;                  ///< inside the axes
+  QRectF xStrip;                ///< labels and title below
   std::vector<QRectF> yStrips;  ///< labels and title of each y axis, left and right in turn
 
   /// Index of the y axis whose strip holds the point, or -1.
@@ -25,10 +25,12 @@ struct PlotLayout {
 /// moves under the pointer.
 using LabelWidths = std::vector<qreal>;
 
-PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font, LabelWidths& widths);
+PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font,
+                      LabelWidths& widths);
 
-void paintGround(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout, const ChartTheme& theme);
-void paintAxes(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout, const ChartTheme& theme,
-               const QFont& font);
+void paintGround(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
+                 const ChartTheme& theme);
+void paintAxes(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
+               const ChartTheme& theme, const QFont& font);
 
 }  // namespace rotorbench

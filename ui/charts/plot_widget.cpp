@@ -48,7 +48,9 @@ QSizeF PlotWidget::plotSize() const {
                                 : layout_.plot.size();
 }
 
-void PlotWidget::relayout() { labelWidths_.clear(); }
+void PlotWidget::relayout() {
+  labelWidths_.clear();
+}
 
 void PlotWidget::renderStatic() {
   const qreal ratio = devicePixelRatioF();
@@ -86,7 +88,8 @@ void PlotWidget::paintEvent(QPaintEvent*) {
 void PlotWidget::paintHint(QPainter& painter) {
   painter.setPen(ChartTheme::of(palette()).dimText);
   painter.setFont(font());
-  painter.drawText(layout_.plot.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap, hint_);
+  painter.drawText(layout_.plot.adjusted(12, 12, -12, -12), Qt::AlignCenter | Qt::TextWordWrap,
+                   hint_);
 }
 
 void PlotWidget::paintCursors(QPainter& painter) {
@@ -105,7 +108,8 @@ void PlotWidget::paintCursors(QPainter& painter) {
     const QRectF tag(x - metrics.height() / 2, plot.top() - 2, metrics.height(), metrics.height());
     painter.fillRect(tag, theme.text);
     painter.setPen(theme.ground);
-    painter.drawText(tag, Qt::AlignCenter, which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
+    painter.drawText(tag, Qt::AlignCenter,
+                     which == Cursor::A ? QStringLiteral("A") : QStringLiteral("B"));
   }
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(Qt::NoBrush);

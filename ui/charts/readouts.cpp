@@ -13,18 +13,22 @@ QString readoutText(double value, const std::string& unit, const QLocale& locale
   return (text + u' ' + prettyUnit(unit)).trimmed();
 }
 
-Readouts makeReadouts(const std::vector<Curve>& curves, const ChartLink& link, const QLocale& locale) {
+Readouts makeReadouts(const std::vector<Curve>& curves, const ChartLink& link,
+                      const QLocale& locale) {
   const auto a = link.cursor(Cursor::A);
   const auto b = link.cursor(Cursor::B);
   Readouts readouts;
-  if (a) readouts.heads += QStringLiteral("A  ") + readoutText(*a, "s", locale);
-  if (b) readouts.heads += QStringLiteral("B  ") + readoutText(*b, "s", locale);
-  if (a && b) readouts.heads += QStringLiteral("B − A  ") + readoutText(*b - *a, "s", locale);
+  const std::string abscissa =
+      curves.empty() ? "s" : curves.front().recording->channels().front().unit;
+  if (a) readouts.heads += QStringLiteral("A  ") + readoutText(*a, abscissa, locale);
+  if (b) readouts.heads += QStringLiteral("B  ") + readoutText(*b, abscissa, locale);
+  if (a && b) readouts.heads += QStringLiteral("B − A  ") + readoutText(*b - *a, abscissa, locale);
   for (const auto& curve : curves) {
     QStringList cells;
     const std::string& unit = curve.y().unit;
     const auto at = [&](double time) {
-      return curve.recording->rows() == 0 ? std::nan("") : curve.recording->sampleAt(curve.yChannel, time);
+      return curve.recording->rows() == 0 ? std::nan("")
+                                          : curve.recording->sampleAt(curve.yChannel, time);
     };
     if (a) cells += readoutText(at(*a), unit, locale);
     if (b) cells += readoutText(at(*b), unit, locale);

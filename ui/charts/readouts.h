@@ -12,11 +12,12 @@
 namespace rotorbench {
 
 struct Readouts {
-  QStringList heads;               ///< "A  1.25 s", "B  2 s", "B − A  0.75 s"; empty without cursors
+  QStringList heads;  ///< "A  1.25 s", "B  2 s", "B − A  0.75 s"; empty without cursors
   std::vector<QStringList> cells;  ///< per curve, as many as heads
 };
 
-Readouts makeReadouts(const std::vector<Curve>& curves, const ChartLink& link, const QLocale& locale);
+Readouts makeReadouts(const std::vector<Curve>& curves, const ChartLink& link,
+                      const QLocale& locale);
 
 /// Five significant digits with the unit: "3.4213 N".
 QString readoutText(double value, const std::string& unit, const QLocale& locale);

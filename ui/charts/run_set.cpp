@@ -6,17 +6,21 @@
 namespace rotorbench {
 
 const ChartRun* RunSet::find(const QString& id) const {
-  const auto at = std::find_if(runs_.begin(), runs_.end(), [&](const ChartRun& r) { return r.id == id; });
+  const auto at =
+      std::find_if(runs_.begin(), runs_.end(), [&](const ChartRun& r) { return r.id == id; });
   return at == runs_.end() ? nullptr : &*at;
 }
 
-ChartRun* RunSet::edit(const QString& id) { return const_cast<ChartRun*>(find(id)); }
+ChartRun* RunSet::edit(const QString& id) {
+  return const_cast<ChartRun*>(find(id));
+}
 
 void RunSet::setRuns(std::vector<ChartRun> runs) {
   std::erase_if(runs, [](const ChartRun& run) { return !run.recording; });
   for (const auto& old : runs_) {
-    const bool kept = std::any_of(runs.begin(), runs.end(),
-                                  [&](const ChartRun& run) { return run.recording == old.recording; });
+    const bool kept = std::any_of(runs.begin(), runs.end(), [&](const ChartRun& run) {
+      return run.recording == old.recording;
+    });
     if (!kept) summaries_.forget(old.recording.get());
   }
   runs_ = std::move(runs);
@@ -25,7 +29,8 @@ void RunSet::setRuns(std::vector<ChartRun> runs) {
 
 void RunSet::add(ChartRun run) {
   auto runs = runs_;
-  const auto at = std::find_if(runs.begin(), runs.end(), [&](const ChartRun& r) { return r.id == run.id; });
+  const auto at =
+      std::find_if(runs.begin(), runs.end(), [&](const ChartRun& r) { return r.id == run.id; });
   if (at == runs.end()) {
     runs.push_back(std::move(run));
   } else {

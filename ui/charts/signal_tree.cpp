@@ -64,15 +64,18 @@ SignalTree::SignalTree(RunSet* runs, QWidget* parent) : QWidget(parent), runs_(r
   connect(runs_, &RunSet::changed, this, &SignalTree::takeChannels);
   connect(search_, &QLineEdit::textChanged, this, &SignalTree::filter);
   connect(view_, &QTreeView::activated, this, [this](const QModelIndex& index) {
-    if (index.siblingAtColumn(0).data(kIsChannelRole).toBool()) emit channelsActivated(selectedChannels());
+    if (index.siblingAtColumn(0).data(kIsChannelRole).toBool())
+      emit channelsActivated(selectedChannels());
   });
   const auto remember = [this](const QModelIndex& index, bool open) {
     if (!remembering_) return;
     const QString path = index.data(kPathRole).toString();
     open ? (void)expanded_.insert(path) : (void)expanded_.remove(path);
   };
-  connect(view_, &QTreeView::expanded, this, [remember](const QModelIndex& i) { remember(i, true); });
-  connect(view_, &QTreeView::collapsed, this, [remember](const QModelIndex& i) { remember(i, false); });
+  connect(view_, &QTreeView::expanded, this,
+          [remember](const QModelIndex& i) { remember(i, true); });
+  connect(view_, &QTreeView::collapsed, this,
+          [remember](const QModelIndex& i) { remember(i, false); });
   takeChannels();
 }
 
@@ -163,7 +166,8 @@ void SignalTree::expandRemembered() {
   const std::function<void(const QModelIndex&)> visit = [&](const QModelIndex& parent) {
     for (int row = 0; row < proxy_->rowCount(parent); ++row) {
       const QModelIndex index = proxy_->index(row, 0, parent);
-      const bool open = !search_->text().isEmpty() || expanded_.contains(index.data(kPathRole).toString());
+      const bool open =
+          !search_->text().isEmpty() || expanded_.contains(index.data(kPathRole).toString());
       view_->setExpanded(index, open);
       visit(index);
     }

@@ -25,7 +25,8 @@ std::vector<std::size_t> rowsInView(const Recording& recording, std::size_t x, S
   std::vector<std::size_t> rows;
   const std::size_t count = recording.rows();
   // Channel 0 is sorted; any other has to be looked through.
-  for (std::size_t row = x == 0 ? std::min(recording.lowerBound(view.low), count) : 0; row < count; ++row) {
+  for (std::size_t row = x == 0 ? std::min(recording.lowerBound(view.low), count) : 0; row < count;
+       ++row) {
     const double value = recording.value(x, row);
     if (x == 0 && value > view.high) break;
     if (value >= view.low && value <= view.high) rows.push_back(row);
@@ -46,8 +47,11 @@ std::vector<Block> visibleBlocks(const ChartPane& pane) {
       return b.recording == curve.recording && b.x == curve.xChannel;
     });
     if (block == blocks.end()) {
-      blocks.push_back({curve.recording, severalRuns ? curve.runName.toStdString() + ": " : "", curve.xChannel,
-                        {curve.xChannel}, rowsInView(*curve.recording, curve.xChannel, view)});
+      blocks.push_back({curve.recording,
+                        severalRuns ? curve.runName.toStdString() + ": " : "",
+                        curve.xChannel,
+                        {curve.xChannel},
+                        rowsInView(*curve.recording, curve.xChannel, view)});
       block = blocks.end() - 1;
     }
     block->channels.push_back(curve.yChannel);
@@ -88,7 +92,8 @@ QString paneCsv(const ChartPane& pane) {
     for (const auto& block : blocks) {
       for (const std::size_t channel : block.channels) {
         if (!std::exchange(first, false)) text += ',';
-        if (i < block.rows.size()) text += numberText(block.recording->value(channel, block.rows[i]));
+        if (i < block.rows.size())
+          text += numberText(block.recording->value(channel, block.rows[i]));
       }
     }
     text += '\n';

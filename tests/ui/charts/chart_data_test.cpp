@@ -23,8 +23,8 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInf = std::numeric_limits<double>::infinity();
 
-Extremes bruteForce(const Recording& recording, std::size_t channel, std::size_t first, std::size_t last,
-                    bool positive) {
+Extremes bruteForce(const Recording& recording, std::size_t channel, std::size_t first,
+                    std::size_t last, bool positive) {
   Extremes e;
   for (std::size_t row = first; row < last; ++row) {
     const double v = recording.value(channel, row);
@@ -37,7 +37,8 @@ Extremes bruteForce(const Recording& recording, std::size_t channel, std::size_t
 
 /// Noise with repeats, NaN, infinities and signs; time in irregular steps, some of them zero.
 std::shared_ptr<Recording> noise(std::size_t rows, unsigned seed) {
-  auto recording = std::make_shared<Recording>(std::vector<Channel>{{"time", "s", ""}, {"v", "1", ""}});
+  auto recording =
+      std::make_shared<Recording>(std::vector<Channel>{{"time", "s", ""}, {"v", "1", ""}});
   std::mt19937 random(seed);
   std::uniform_int_distribution<int> level(-50, 50), chance(0, 99);
   double t = 0;
@@ -88,7 +89,8 @@ void ChartDataTest::summaryEqualsBruteForce_data() {
   QTest::addColumn<int>("rows");
   QTest::addColumn<bool>("positive");
   for (const int rows : {0, 1, 63, 64, 65, 511, 513, 4095, 4096, 4097, 33000, 100000}) {
-    for (const bool positive : {false, true}) QTest::addRow("%d rows, positive %d", rows, positive) << rows << positive;
+    for (const bool positive : {false, true})
+      QTest::addRow("%d rows, positive %d", rows, positive) << rows << positive;
   }
 }
 
@@ -97,7 +99,8 @@ void ChartDataTest::summaryEqualsBruteForce() {
   QFETCH(bool, positive);
   const auto count = static_cast<std::size_t>(rows);
   const auto recording = noise(count, 7);
-  ColumnSummary summary(recording, 1, positive ? ColumnSummary::Values::Positive : ColumnSummary::Values::All);
+  ColumnSummary summary(recording, 1,
+                        positive ? ColumnSummary::Values::Positive : ColumnSummary::Values::All);
   QCOMPARE(summary.extend(count + 10), count);
   std::mt19937 random(11);
   std::uniform_int_distribution<std::size_t> any(0, count);
@@ -153,16 +156,21 @@ void ChartDataTest::decimationKeepsExtremes() {
   ColumnSummary summary(recording, 1, ColumnSummary::Values::All);
   summary.extend(100000);
   const AxisScale scale{{low, high}, false};
-  const auto bounds = columnBounds(*recording, recording->rows(), scale, columns);
-  const auto points = decimate(*recording, summary, bounds);
+  ColumnBounds bounds;
+  const auto points = TimeTrace().update(
+      *recording, summary, scale, bounds.update(*recording, recording->rows(), scale, columns));
   QVERIFY(points.size() <= 4 * columns + 4);
-  QVERIFY(std::is_sorted(points.begin(), points.end(), [](auto a, auto b) { return a.x() < b.x(); }));
+  QVERIFY(
+      std::is_sorted(points.begin(), points.end(), [](auto a, auto b) { return a.x() < b.x(); }));
   // Per pixel column, the extremes of the drawn points are those of all rows.
   std::vector<Extremes> expected(static_cast<std::size_t>(columns)), drawn = expected;
   const auto column = [&](double t) {
-    return static_cast<std::size_t>(std::clamp(static_cast<int>(scale.toUnit(t) * columns), 0, columns - 1));
+    return static_cast<std::size_t>(
+        std::clamp(static_cast<int>(scale.toUnit(t) * columns), 0, columns - 1));
   };
-  const auto put = [](Extremes& e, double v) { e.min = std::min(e.min, v), e.max = std::max(e.max, v); };
+  const auto put = [](Extremes& e, double v) {
+    e.min = std::min(e.min, v), e.max = std::max(e.max, v);
+  };
   for (std::size_t row = 0; row < recording->rows(); ++row) {
     const double t = recording->value(0, row);
     const double v = recording->value(1, row);
@@ -178,7 +186,8 @@ void ChartDataTest::decimationKeepsExtremes() {
   // A row on the very border of two columns may round either way.
   QVERIFY2(differing <= columns / 50, qPrintable(QString::number(differing)));
   const auto least = [](const auto& all) {
-    return std::min_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.min < b.min; })->min;
+    return std::min_element(all.begin(), all.end(), [](auto& a, auto& b) { return a.min < b.min; })
+        ->min;
   };
   QCOMPARE(least(drawn), least(expected));
 }
@@ -196,12 +205,17 @@ void ChartDataTest::decimationWhileWriting() {
   bool sorted = true;
   bool onTheLine = true;
   bool done = false;
+  const AxisScale scale{{0, 200}, false};
+  ColumnBounds bounds;
+  TimeTrace trace;
+  QList<QPointF> points;
   while (!done) {
     done = recording->finished();
     summary.extend(1'000'000);
-    const auto bounds = columnBounds(*recording, recording->rows(), {{0, 200}, false}, 200);
-    const auto points = decimate(*recording, summary, bounds);
-    sorted = sorted && std::is_sorted(points.begin(), points.end(), [](auto a, auto b) { return a.x() < b.x(); });
+    points = trace.update(*recording, summary, scale,
+                          bounds.update(*recording, recording->rows(), scale, 200));
+    sorted = sorted && std::is_sorted(points.begin(), points.end(),
+                                      [](auto a, auto b) { return a.x() < b.x(); });
     for (const QPointF& p : points) onTheLine = onTheLine && p.y() == 1 + p.x();
   }
   writer.join();
@@ -209,10 +223,15 @@ void ChartDataTest::decimationWhileWriting() {
   QVERIFY(onTheLine);
   QCOMPARE(summary.rows(), std::size_t{200000});
   QCOMPARE(summary.extremes(0, 200000).max, 1 + 199999 * 0.001);
+  // What grew step by step is what one look at the whole gives.
+  ColumnBounds fresh;
+  QCOMPARE(points, TimeTrace().update(*recording, summary, scale,
+                                      fresh.update(*recording, 200000, scale, 200)));
 }
 
 void ChartDataTest::xyTraceKeepsThePathWithinAPixel() {
-  auto recording = std::make_shared<Recording>(std::vector<Channel>{{"time", "s", ""}, {"x", "m", ""}, {"y", "m", ""}});
+  auto recording = std::make_shared<Recording>(
+      std::vector<Channel>{{"time", "s", ""}, {"x", "m", ""}, {"y", "m", ""}});
   const AxisScale scale{{-1, 1}, false};
   XyTrace trace;
   for (int i = 0; i < 50000; ++i) {
@@ -238,13 +257,20 @@ void ChartDataTest::patterns_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<bool>("matches");
   QTest::addColumn<QString>("star");
-  QTest::addRow("plain") << "position.z" << "position.z" << true << "";
-  QTest::addRow("prefix is not enough") << "position" << "position.z" << false << "";
-  QTest::addRow("number") << "rotor*.thrust" << "rotor3.thrust" << true << "3";
-  QTest::addRow("not over a dot") << "rotor*.thrust" << "rotor3.motor.thrust" << false << "";
-  QTest::addRow("method with brackets") << "*.evaluations" << "RK5(4)7M.evaluations" << true << "RK5(4)7M";
-  QTest::addRow("empty star") << "rotor*" << "rotor" << true << "";
-  QTest::addRow("case counts") << "Rotor*" << "rotor1" << false << "";
+  QTest::addRow("plain") << "position.z"
+                         << "position.z" << true << "";
+  QTest::addRow("prefix is not enough") << "position"
+                                        << "position.z" << false << "";
+  QTest::addRow("number") << "rotor*.thrust"
+                          << "rotor3.thrust" << true << "3";
+  QTest::addRow("not over a dot") << "rotor*.thrust"
+                                  << "rotor3.motor.thrust" << false << "";
+  QTest::addRow("method with brackets") << "*.evaluations"
+                                        << "RK5(4)7M.evaluations" << true << "RK5(4)7M";
+  QTest::addRow("empty star") << "rotor*"
+                              << "rotor" << true << "";
+  QTest::addRow("case counts") << "Rotor*"
+                               << "rotor1" << false << "";
 }
 
 void ChartDataTest::patterns() {
@@ -262,14 +288,30 @@ void ChartDataTest::curvesOfSpec_data() {
   QTest::addColumn<QString>("x");
   QTest::addColumn<QString>("y");
   QTest::addColumn<QString>("curves");  // "xIndex-yIndex"
-  QTest::addRow("wildcard") << false << "" << "rotor*.thrust" << "0-1 0-2";
-  QTest::addRow("no repeats") << false << "" << "rotor1.thrust, rotor*.thrust" << "0-1 0-2";
-  QTest::addRow("x is unused over time") << false << "z" << "rotor1.thrust" << "0-1";
-  QTest::addRow("paired by method") << true << "*.evaluations" << "*.max_error_norm" << "3-4 5-6";
-  QTest::addRow("one x for all") << true << "rotor1.thrust" << "rotor2.thrust,euler.evaluations" << "1-2 1-5";
-  QTest::addRow("x wildcard, y plain") << true << "*.evaluations" << "rotor1.thrust" << "3-1";
-  QTest::addRow("no partner") << true << "*.evaluations" << "*.thrust" << "";
-  QTest::addRow("nothing") << false << "" << " , " << "";
+  QTest::addRow("wildcard") << false << ""
+                            << "rotor*.thrust"
+                            << "0-1 0-2";
+  QTest::addRow("no repeats") << false << ""
+                              << "rotor1.thrust, rotor*.thrust"
+                              << "0-1 0-2";
+  QTest::addRow("x is unused over time") << false << "z"
+                                         << "rotor1.thrust"
+                                         << "0-1";
+  QTest::addRow("paired by method") << true << "*.evaluations"
+                                    << "*.max_error_norm"
+                                    << "3-4 5-6";
+  QTest::addRow("one x for all") << true << "rotor1.thrust"
+                                 << "rotor2.thrust,euler.evaluations"
+                                 << "1-2 1-5";
+  QTest::addRow("x wildcard, y plain") << true << "*.evaluations"
+                                       << "rotor1.thrust"
+                                       << "3-1";
+  QTest::addRow("no partner") << true << "*.evaluations"
+                              << "*.thrust"
+                              << "";
+  QTest::addRow("nothing") << false << ""
+                           << " , "
+                           << "";
 }
 
 void ChartDataTest::curvesOfSpec() {
@@ -278,8 +320,8 @@ void ChartDataTest::curvesOfSpec() {
   QFETCH(QString, y);
   QFETCH(QString, curves);
   std::vector<Channel> channels;
-  for (const char* name : {"time", "rotor1.thrust", "rotor2.thrust", "rk4.evaluations", "rk4.max_error_norm",
-                           "euler.evaluations", "euler.max_error_norm"}) {
+  for (const char* name : {"time", "rotor1.thrust", "rotor2.thrust", "rk4.evaluations",
+                           "rk4.max_error_norm", "euler.evaluations", "euler.max_error_norm"}) {
     channels.push_back({name, "1", ""});
   }
   ChartSpec spec;
@@ -287,7 +329,8 @@ void ChartDataTest::curvesOfSpec() {
   spec.x = x.toStdString();
   spec.channels = y.toStdString();
   QStringList found;
-  for (const auto& c : resolveCurves(spec, channels)) found += QStringLiteral("%1-%2").arg(c.x).arg(c.y);
+  for (const auto& c : resolveCurves(spec, channels))
+    found += QStringLiteral("%1-%2").arg(c.x).arg(c.y);
   QCOMPARE(found.join(u' '), curves);
 }
 
@@ -307,14 +350,22 @@ void ChartDataTest::ticks_data() {
   QTest::addColumn<QString>("locale");
   QTest::addColumn<QString>("labels");
   QTest::addColumn<int>("exponent");
-  QTest::addRow("0 to 10") << 0.0 << 10.0 << false << "C" << "0 2 4 6 8 10" << 0;
-  QTest::addRow("about zero") << -0.3 << 0.3 << false << "C" << "−0.2 0.0 0.2" << 0;
-  QTest::addRow("German comma") << 0.0 << 1.0 << false << "de_DE" << "0,0 0,2 0,4 0,6 0,8 1,0" << 0;
-  QTest::addRow("small numbers share a power") << 0.0 << 2e-9 << false << "C" << "0.0 0.5 1.0 1.5 2.0" << -9;
-  QTest::addRow("large numbers share a power") << 0.0 << 4e6 << false << "C" << "0 1 2 3 4" << 6;
-  QTest::addRow("decades") << 1e-9 << 1e-6 << true << "C" << "10⁻⁹ 10⁻⁸ 10⁻⁷ 10⁻⁶" << 0;
-  QTest::addRow("plain decades") << 0.1 << 100.0 << true << "C" << "0.1 1 10 100" << 0;
-  QTest::addRow("within a decade") << 2.0 << 8.0 << true << "C" << "2 4 6 8" << 0;
+  QTest::addRow("0 to 10") << 0.0 << 10.0 << false << "C"
+                           << "0 2 4 6 8 10" << 0;
+  QTest::addRow("about zero") << -0.3 << 0.3 << false << "C"
+                              << "−0.2 0.0 0.2" << 0;
+  QTest::addRow("German comma") << 0.0 << 1.0 << false << "de_DE"
+                                << "0,0 0,2 0,4 0,6 0,8 1,0" << 0;
+  QTest::addRow("small numbers share a power") << 0.0 << 2e-9 << false << "C"
+                                               << "0.0 0.5 1.0 1.5 2.0" << -9;
+  QTest::addRow("large numbers share a power") << 0.0 << 4e6 << false << "C"
+                                               << "0 1 2 3 4" << 6;
+  QTest::addRow("decades") << 1e-9 << 1e-6 << true << "C"
+                           << "10⁻⁹ 10⁻⁸ 10⁻⁷ 10⁻⁶" << 0;
+  QTest::addRow("plain decades") << 0.1 << 100.0 << true << "C"
+                                 << "0.1 1 10 100" << 0;
+  QTest::addRow("within a decade") << 2.0 << 8.0 << true << "C"
+                                   << "2 4 6 8" << 0;
 }
 
 void ChartDataTest::ticks() {

@@ -13,7 +13,8 @@ namespace rotorbench::fixture {
 /// Channels of a small aircraft: rotor1..4.thrust [N], position.x [m], error [m].
 inline std::vector<Channel> channels() {
   std::vector<Channel> all{{"time", "s", "Simulated time"}};
-  for (int i = 1; i <= 4; ++i) all.push_back({"rotor" + std::to_string(i) + ".thrust", "N", "Thrust"});
+  for (int i = 1; i <= 4; ++i)
+    all.push_back({"rotor" + std::to_string(i) + ".thrust", "N", "Thrust"});
   all.push_back({"position.x", "m", "North"});
   all.push_back({"error", "m", "Distance from the set-point"});
   return all;

@@ -175,7 +175,9 @@ void ChartGridTest::timeCursorBothWays() {
   QSignalSpy moved(&grid, &ChartGrid::timeCursorMoved);
   grid.setTimeCursor(3.0);
   QCOMPARE(moved.size(), 0);
-  QCOMPARE(grid.panes()[1]->findChild<QWidget*>("legend:rotor2.thrust")->accessibleDescription().left(1), "4");
+  QCOMPARE(
+      grid.panes()[1]->findChild<QWidget*>("legend:rotor2.thrust")->accessibleDescription().left(1),
+      "4");
   PlotWidget* plot = grid.panes()[0]->plot();
   QTest::mouseClick(plot, Qt::LeftButton, {}, plot->plotLayout().plot.center().toPoint());
   QCOMPARE(moved.size(), 1);
@@ -233,7 +235,8 @@ void ChartGridTest::treeDragsGroups() {
   SignalTree tree(&runs);
   const QModelIndex rotor1 = tree.view()->model()->index(1, 0);
   const QModelIndex error = tree.view()->model()->index(6, 0);
-  const std::unique_ptr<QMimeData> data(tree.view()->model()->mimeData({rotor1, rotor1.siblingAtColumn(1), error}));
+  const std::unique_ptr<QMimeData> data(
+      tree.view()->model()->mimeData({rotor1, rotor1.siblingAtColumn(1), error}));
   QCOMPARE(channelsIn(data.get()), (QStringList{"rotor1.thrust", "error"}));
 }
 

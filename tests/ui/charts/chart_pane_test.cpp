@@ -19,11 +19,14 @@ using namespace rotorbench;
 
 namespace {
 
-ChartSpec thrustSpec() { return {"Thrust", ChartKind::Time, "", "rotor*.thrust", false, false, false}; }
+ChartSpec thrustSpec() {
+  return {"Thrust", ChartKind::Time, "", "rotor*.thrust", false, false, false};
+}
 
 QPoint at(const ChartPane& pane, double unitX, double unitY) {
   const QRectF plot = pane.plot()->plotLayout().plot;
-  return QPointF(plot.left() + unitX * plot.width(), plot.bottom() - unitY * plot.height()).toPoint();
+  return QPointF(plot.left() + unitX * plot.width(), plot.bottom() - unitY * plot.height())
+      .toPoint();
 }
 
 void wheel(QWidget* widget, QPoint place, int notches, Qt::KeyboardModifiers keys = {}) {
@@ -32,11 +35,13 @@ void wheel(QWidget* widget, QPoint place, int notches, Qt::KeyboardModifiers key
   QApplication::sendEvent(widget, &event);
 }
 
-void drag(QWidget* widget, Qt::MouseButton button, QPoint from, QPoint to, Qt::KeyboardModifiers keys = {}) {
+void drag(QWidget* widget, Qt::MouseButton button, QPoint from, QPoint to,
+          Qt::KeyboardModifiers keys = {}) {
   QTest::mousePress(widget, button, keys, from);
   for (int i = 1; i <= 4; ++i) {
     const QPoint place = from + (to - from) * i / 4;
-    QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, button, keys);
+    QMouseEvent move(QEvent::MouseMove, place, widget->mapToGlobal(place), Qt::NoButton, button,
+                     keys);
     QApplication::sendEvent(widget, &move);
   }
   QTest::mouseRelease(widget, button, keys, to);
@@ -70,7 +75,9 @@ struct Bench {
   [[nodiscard]] Span y(std::size_t i = 0) const { return pane.plot()->frame().y.at(i).scale.span; }
 };
 
-bool close(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
+bool close(double a, double b, double tolerance) {
+  return std::abs(a - b) <= tolerance;
+}
 
 }  // namespace
 
@@ -109,12 +116,14 @@ void ChartPaneTest::showsWhatThereIs() {
   QCOMPARE(b.y(), (Span{1, 14}));  // 1 + 0 to 4 + 10
   QCOMPARE(frame.x.title, QStringLiteral("time [s]"));
   QCOMPARE(frame.y[0].title, QStringLiteral("thrust [N]"));
-  QCOMPARE(texts(b.pane), (QStringList{"rotor1.thrust", "rotor2.thrust", "rotor3.thrust", "rotor4.thrust"}));
+  QCOMPARE(texts(b.pane),
+           (QStringList{"rotor1.thrust", "rotor2.thrust", "rotor3.thrust", "rotor4.thrust"}));
   for (const auto& curve : frame.curves) {
     QVERIFY(curve.points.size() > 500);
     QVERIFY(curve.points.size() <= 2 * (700 + 4));
   }
-  b.pane.setSpec({"", ChartKind::Time, "", "rotor1.thrust, position.x, error", false, false, false});
+  b.pane.setSpec(
+      {"", ChartKind::Time, "", "rotor1.thrust, position.x, error", false, false, false});
   b.settle();
   QCOMPARE(b.pane.plot()->frame().y.size(), std::size_t{2});  // N and m
   QCOMPARE(b.pane.plot()->frame().y[1].title, QStringLiteral("x, error [m]"));
@@ -122,7 +131,8 @@ void ChartPaneTest::showsWhatThereIs() {
 
 void ChartPaneTest::saysWhatToDoNext() {
   Bench b({}, false);
-  QCOMPARE(b.pane.plot()->hint(), QStringLiteral("Drag channels here from the signal tree, or double-click one there."));
+  QCOMPARE(b.pane.plot()->hint(),
+           QStringLiteral("Drag channels here from the signal tree, or double-click one there."));
   b.pane.addChannel("wind.x");
   QCOMPARE(b.pane.plot()->hint(), QStringLiteral("Press Run (F5) to fill this chart."));
   b.runs.add(fixture::run("1", fixture::ramp(10)));
@@ -155,7 +165,8 @@ void ChartPaneTest::fillsWhileWriting() {
   QTRY_VERIFY(recording->finished());
   writer.join();
   b.settle();
-  QCOMPARE(b.pane.plot()->frame().curves[0].points.last(), QPointF(19999 * 0.001, 1 + 19999 * 0.001));
+  QCOMPARE(b.pane.plot()->frame().curves[0].points.last(),
+           QPointF(19999 * 0.001, 1 + 19999 * 0.001));
   QVERIFY(close(b.x().high, 19.999, 1e-9));
 }
 
@@ -181,7 +192,8 @@ void ChartPaneTest::wheelOverAnAxisZoomsThatAxis() {
   QCOMPARE(b.y(0), left);
   QVERIFY(close(b.y(1).width(), right.width() * 0.64, 1e-9));
   QVERIFY(!b.pane.view().x);
-  wheel(b.pane.plot(), QPoint(350, static_cast<int>(b.pane.plot()->plotLayout().xStrip.center().y())), 1);
+  wheel(b.pane.plot(),
+        QPoint(350, static_cast<int>(b.pane.plot()->plotLayout().xStrip.center().y())), 1);
   b.settle();
   QVERIFY(close(b.x().width(), 8, 1e-9));
   QVERIFY(close(b.y(1).width(), right.width() * 0.64, 1e-9));
@@ -330,7 +342,7 @@ void ChartPaneTest::legendHidesAndRemembers() {
   QVERIFY(b.pane.plot()->frame().curves[3].hidden);
   QVERIFY(b.pane.plot()->frame().curves[3].points.isEmpty());
   QVERIFY(b.pane.legend()->items()[3]->accessibleName().contains("hidden"));
-  QCOMPARE(b.y().high, 13.0);  // fits the three that are left
+  QCOMPARE(b.y().high, 13.0);                               // fits the three that are left
   b.runs.setRuns({fixture::run("2", fixture::ramp(101))});  // run again
   QVERIFY(b.pane.curves().curves[3].hidden);
   QVERIFY(!b.pane.curves().curves[2].hidden);
@@ -362,7 +374,8 @@ void ChartPaneTest::channelsDroppedAndRemoved() {
   QVERIFY(!foreign.isAccepted());
 
   QTest::keyClick(b.pane.legend()->items()[1], Qt::Key_Delete);
-  QCOMPARE(texts(b.pane), (QStringList{"rotor1.thrust", "rotor3.thrust", "rotor4.thrust", "position.x"}));
+  QCOMPARE(texts(b.pane),
+           (QStringList{"rotor1.thrust", "rotor3.thrust", "rotor4.thrust", "position.x"}));
   emit b.pane.menu()->aboutToShow();
   auto* remove = b.pane.menu()->findChild<QMenu*>("removeChannelMenu");
   QCOMPARE(remove->actions().size(), 4);
