@@ -51,9 +51,11 @@ void RunDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
 
   const QRect swatch(box.rect.right() + kSpacing, box.rect.center().y() - kSwatch / 2 + 1, kSwatch,
                      kSwatch);
-  painter->fillRect(swatch, index.data(RunList::ColorRole).value<QColor>());
-
   const bool selected = option.state.testFlag(QStyle::State_Selected);
+  // The ring keeps a blue swatch apart from a blue selection.
+  if (selected)
+    painter->fillRect(swatch.adjusted(-2, -2, 2, 2), option.palette.color(QPalette::Base));
+  painter->fillRect(swatch, index.data(RunList::ColorRole).value<QColor>());
   QColor text = option.palette.color(selected ? QPalette::HighlightedText : QPalette::Text);
   painter->setPen(text);
   const QRect name = nameRect(option);

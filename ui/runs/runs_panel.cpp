@@ -66,7 +66,7 @@ QAction* RunsPanel::addAction(const QString& icon, const QString& text, const QS
 
 void RunsPanel::buildActions() {
   rename_ = addAction("edit-rename", tr("Rename"), "renameRun", &RunsPanel::rename);
-  note_ = addAction("document-edit", tr("Note…"), "noteRun", &RunsPanel::editNote);
+  note_ = addAction("edit-comment", tr("Note…"), "noteRun", &RunsPanel::editNote);
   duplicate_ = addAction("edit-copy", tr("Edit a copy of its experiment"), "duplicateRun",
                          &RunsPanel::duplicate);
   compare_ = addAction("view-split-left-right", tr("Compare two runs…"), "compareRuns",

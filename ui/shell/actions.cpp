@@ -4,6 +4,7 @@
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
+#include <QToolButton>
 #include <QUndoStack>
 
 #include "ui/shell/theme.h"
@@ -131,6 +132,9 @@ void buildToolBar(Actions& a, QMainWindow& window) {
   bar->addActions({a.undo, a.redo});
   bar->addSeparator();
   bar->addActions({a.run, a.pause, a.step, a.stop});
+  // The one button a newcomer looks for says its name.
+  auto* run = qobject_cast<QToolButton*>(bar->widgetForAction(a.run));
+  run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   bar->addWidget(a.pace);
   bar->addSeparator();
   bar->addAction(a.exportFigures);

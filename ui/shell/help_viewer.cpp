@@ -73,13 +73,7 @@ HelpViewer::HelpViewer(HelpLibrary library, QWidget* parent)
   connect(contents_, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
     if (item != nullptr) load(item->data(Qt::UserRole).toString());
   });
-  connect(browser_, &QTextBrowser::sourceChanged, this, [this] {
-    for (int row = 0; row < contents_->count(); ++row) {
-      if (contents_->item(row)->data(Qt::UserRole).toString() == currentPage()) {
-        contents_->setCurrentRow(row);
-      }
-    }
-  });
+  connect(browser_, &QTextBrowser::sourceChanged, this, &HelpViewer::markContents);
 }
 
 void HelpViewer::showTopic(const QStringList& topics) {
@@ -95,6 +89,15 @@ QString HelpViewer::currentPage() const {
 
 void HelpViewer::load(const QString& page) {
   if (page != currentPage()) browser_->setSource(QUrl(page + ".html"));
+  markContents();
+}
+
+void HelpViewer::markContents() {
+  const QSignalBlocker blocker(contents_);
+  for (int row = 0; row < contents_->count(); ++row) {
+    if (contents_->item(row)->data(Qt::UserRole).toString() == currentPage())
+      contents_->setCurrentRow(row);
+  }
 }
 
 }  // namespace rotorbench

@@ -21,6 +21,7 @@ class HelpViewer : public QWidget {
 
  private:
   void load(const QString& page);
+  void markContents();
 
   HelpLibrary library_;
   QListWidget* contents_;

@@ -37,6 +37,13 @@ QString autosaveFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosave";
 }
 
+/// Palette and icons come first: everything made after them looks right from the start.
+Theme startTheme() {
+  const Theme theme = themeFromKey(QSettings().value(kThemeKey).toString());
+  applyTheme(theme);
+  return theme;
+}
+
 QString parameterTable(const QString& typeKey) {
   const schema::Type* type = findType(schema::typeOf<Experiment>(), typeKey.toStdString());
   return type == nullptr ? QString() : parameterTableHtml(*type, QLocale());
@@ -46,6 +53,7 @@ QString parameterTable(const QString& typeKey) {
 
 MainWindow::MainWindow(RunController::Builder builder, QWidget* parent)
     : QMainWindow(parent),
+      theme_(startTheme()),
       documents_(autosaveFolder()),
       controller_(runs_, std::move(builder)),
       actions_(buildActions(*this, *documents_.model().undoStack())),
@@ -60,7 +68,6 @@ MainWindow::MainWindow(RunController::Builder builder, QWidget* parent)
   connectHelpActions();
   resize(1440, 900);
   restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
-  bench_->restoreLayout();
   showGallery();
   updateTitle();
   updateRunActions();
@@ -144,9 +151,9 @@ void MainWindow::connectViewActions() {
           [this](bool on) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, on)); });
   connect(a.theme, &QActionGroup::triggered, this,
           [this](const QAction* action) { chooseTheme(action->data().toString()); });
-  const QString chosen = themeKey(themeFromKey(QSettings().value(kThemeKey).toString()));
-  for (QAction* action : a.theme->actions()) action->setChecked(action->data() == chosen);
-  chooseTheme(chosen);
+  for (QAction* action : a.theme->actions()) {
+    action->setChecked(action->data() == themeKey(theme_));
+  }
 }
 
 void MainWindow::connectHelpActions() {
@@ -217,8 +224,9 @@ void MainWindow::updateRunActions() {
 }
 
 void MainWindow::chooseTheme(const QString& key) {
+  theme_ = themeFromKey(key);
   QSettings().setValue(kThemeKey, key);
-  applyTheme(themeFromKey(key));
+  applyTheme(theme_);
   refreshIcons(*this);
 }
 

@@ -9,6 +9,7 @@
 #include "ui/shell/actions.h"
 #include "ui/shell/document_controller.h"
 #include "ui/shell/document_dialogs.h"
+#include "ui/shell/theme.h"
 
 class QStackedWidget;
 
@@ -59,6 +60,7 @@ class MainWindow : public QMainWindow {
   void showAbout();
   void say(const QString& sentence);
 
+  Theme theme_;
   DocumentController documents_;
   RunList runs_;
   RunController controller_;

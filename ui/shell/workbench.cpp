@@ -3,6 +3,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QDockWidget>
+#include <QTimer>
 
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/signal_tree.h"
@@ -94,9 +95,11 @@ void Workbench::arrangeDefault() {
   tabifyDockWidget(docks_[Metrics], docks_[Log]);
   docks_[Runs]->raise();
   docks_[Metrics]->raise();
-  resizeDocks({docks_[Experiment], docks_[Scene]}, {330, 380}, Qt::Horizontal);
-  resizeDocks({docks_[Scene], docks_[Runs]}, {380, 260}, Qt::Vertical);
-  resizeDocks({docks_[Metrics]}, {170}, Qt::Vertical);
+  const bool narrow = width() < 1300;
+  resizeDocks({docks_[Experiment], docks_[Scene]}, {narrow ? 310 : 330, narrow ? 250 : 380},
+              Qt::Horizontal);
+  resizeDocks({docks_[Scene], docks_[Runs]}, {3, 2}, Qt::Vertical);
+  resizeDocks({docks_[Metrics]}, {150}, Qt::Vertical);
 }
 
 void Workbench::bringUp(QWidget& panel) {
@@ -128,7 +131,15 @@ QStringList Workbench::helpTopics(const DocumentModel& model) const {
 }
 
 void Workbench::saveLayout() const {
-  QSettings().setValue(kLayoutKey, saveState(kLayoutVersion));
+  if (laidOut_) QSettings().setValue(kLayoutKey, saveState(kLayoutVersion));
+}
+
+// Sizes of docks can be given only once the page has its own.
+void Workbench::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (laidOut_) return;
+  laidOut_ = true;
+  QTimer::singleShot(0, this, &Workbench::restoreLayout);
 }
 
 void Workbench::restoreLayout() {

@@ -45,10 +45,13 @@ class Workbench : public QMainWindow {
   [[nodiscard]] QStringList helpTopics(const DocumentModel& model) const;
 
   void saveLayout() const;
-  void restoreLayout();
   void resetLayout();
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+
  private:
+  void restoreLayout();
   QDockWidget* addPanel(QWidget* panel, const QString& title, Qt::DockWidgetArea area);
   void arrangeDefault();
 
@@ -63,6 +66,7 @@ class Workbench : public QMainWindow {
   LogPanel* log_;
   MetricsPanel* metrics_;
   QList<QDockWidget*> docks_;
+  bool laidOut_ = false;
 };
 
 }  // namespace rotorbench

@@ -1,5 +1,6 @@
 // The window as a person uses it, with real simulations: from the start page to exported figures.
 #include <QComboBox>
+#include <QDialog>
 #include <QDir>
 #include <QDockWidget>
 #include <QDropEvent>
@@ -22,7 +23,7 @@ using namespace rotorbench;
 namespace {
 
 const QString kFlagship = "f450-hover-and-steps";
-const QString kRollGain = "setup.control.roll.kp";
+const QString kRollGain = "setup.control.controller.roll.kp";
 
 std::size_t rowsOf(const MainWindow& window, int run) {
   const RunRecord* record = const_cast<MainWindow&>(window).runs().find(run);
