@@ -27,7 +27,7 @@ class ChartPane : public QFrame {
 
  public:
   /// Rows one refresh reads that were not read before: keeps a refresh short when a long recording is opened.
-  static constexpr std::size_t kRowsPerRefresh = 3'000'000;
+  static constexpr std::size_t kRowsPerRefresh = 1'000'000;
 
   /// `runs` and `link` are shared with other panes and outlive this one.
   ChartPane(RunSet* runs, ChartLink* link, QWidget* parent = nullptr);
