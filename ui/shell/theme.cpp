@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFile>
 #include <QPalette>
+#include <QStandardPaths>
 #include <QStyle>
 #include <QStyleFactory>
 
@@ -70,6 +71,12 @@ Theme themeFromKey(const QString& key) {
 void applyTheme(Theme theme) {
   // Remembered before the first change: later the platform's own choice can no longer be read.
   static const QString systemIcons = QIcon::themeName();
+  // Without a desktop Qt does not look where the desktops keep their icons.
+  QStringList places = QIcon::themeSearchPaths();
+  places << QStandardPaths::locateAll(QStandardPaths::GenericDataLocation, "icons",
+                                      QStandardPaths::LocateDirectory);
+  places.removeDuplicates();
+  QIcon::setThemeSearchPaths(places);
   if (QApplication::style()->name() != "fusion")
     QApplication::setStyle(QStyleFactory::create("Fusion"));
   QApplication::setPalette(theme == Theme::Light  ? lightPalette()

@@ -188,7 +188,7 @@ void TestWindow::invalidValueBlocksRun() {
   QString sentence;
   for (int column = 0; column < list->columnCount(); ++column)
     sentence += first->text(column) + ' ';
-  QVERIFY2(sentence.contains("-5"), qPrintable(sentence));
+  QVERIFY2(sentence.contains("Must be above 0 and at most 36000 s"), qPrintable(sentence));
 
   window.workbench().experiment().showSection("outputs");
   QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, list->visualItemRect(first).center());
@@ -312,7 +312,7 @@ void TestWindow::layoutIsRemembered() {
   MainWindow window;
   showWindow(window);
   openCard(window, kFlagship);
-  QVERIFY(runsDock(window)->isFloating());
+  QTRY_VERIFY(runsDock(window)->isFloating());
 }
 
 void TestWindow::resetLayoutBringsPanelsBack() {
