@@ -5,6 +5,7 @@
 #include <QEventLoop>
 #include <QPixmap>
 #include <QTimer>
+#include <functional>
 #include <stdexcept>
 
 #include "ui/scene/scene_panel.h"
@@ -16,7 +17,7 @@ namespace rotorbench {
 namespace {
 
 constexpr QSize kWindowSize{1600, 1000};
-constexpr int kRunLimit = 60'000;  // ms
+constexpr int kLongestWait = 60'000;  // ms
 /// Time for the last rows to reach the charts and for the 3D view to draw its frames.
 constexpr int kSettleTime = 3'000;  // ms
 constexpr double kShownTime = 12;   // s, in the middle of the flagship's roll step
@@ -27,6 +28,12 @@ void letPass(int milliseconds) {
   loop.exec();
 }
 
+void waitUntil(const std::function<bool()>& done) {
+  for (const QDeadlineTimer limit(kLongestWait); !done(); letPass(50)) {
+    if (limit.hasExpired()) throw std::runtime_error("The run in the window did not finish.");
+  }
+}
+
 }  // namespace
 
 void saveWindowPicture(const std::filesystem::path& experiment,
@@ -35,14 +42,11 @@ void saveWindowPicture(const std::filesystem::path& experiment,
   window.resize(kWindowSize);
   window.show();
   window.openFile(QString::fromStdString(experiment.string()));
-  window.findChild<QAction*>("actionRun")->trigger();
-  const QDeadlineTimer limit(kRunLimit);
-  while (window.controller().state() != RunState::Finished) {
-    letPass(50);
-    if (limit.hasExpired() || window.controller().state() == RunState::Failed) {
-      throw std::runtime_error("The run in the window did not finish.");
-    }
-  }
+  auto* run = window.findChild<QAction*>("actionRun");
+  waitUntil([run] { return run->isEnabled(); });
+  run->trigger();
+  window.controller().setPace({});
+  waitUntil([&window] { return window.controller().state() == RunState::Finished; });
   window.workbench().scene().setTime(kShownTime);
   letPass(kSettleTime);
   if (!window.grab().save(QString::fromStdString(picture.string()))) {
