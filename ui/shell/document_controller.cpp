@@ -25,8 +25,11 @@ DocumentController::DocumentController(const QString& dataFolder, QObject* paren
   connect(&reading_, &QFutureWatcher<ReadResult>::finished, this, &DocumentController::finishOpen);
 }
 
+// The undo stack tells of its end when the model goes, after the members that listen.
 DocumentController::~DocumentController() {
   reading_.waitForFinished();
+  model_.undoStack()->disconnect(this);
+  model_.disconnect(this);
 }
 
 QString DocumentController::displayName() const {
