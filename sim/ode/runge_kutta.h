@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <type_traits>
 #include <utility>
 
 #include "sim/ode/dense_output.h"
@@ -14,11 +15,34 @@ namespace rotorbench::ode {
 
 /// The first component of `v` that is not finite, or -1.
 template <class State>
-int firstNonFiniteOf(const State& v) {
+[[gnu::noinline]] int firstNonFiniteOf(const State& v) {
   for (int i = 0; i < v.size(); ++i) {
     if (!(v[i] - v[i] == 0.0)) return i;
   }
   return -1;
+}
+
+/// Up to this size a state is handled component by component. The right-hand side has just stored the derivative
+/// so, and a packed load of two such stores waits until both have left the store buffer, which costs more than the
+/// sums. A larger state is past that wait, and gains.
+inline constexpr int kSmallState = 12;
+
+/// The sum of components is finite unless one of them is not (or beyond 1e307, which is looked at closer).
+template <class State>
+[[gnu::always_inline]] inline bool isFinite(const State& v) {
+  constexpr int kSize = State::RowsAtCompileTime;
+  double sum = 0.0;
+  if constexpr (kSize > kSmallState) {
+    double odd = 0.0;
+    for (int i = 1; i < kSize; i += 2) {
+      sum += v[i - 1];
+      odd += v[i];
+    }
+    sum += odd + (kSize % 2 != 0 ? v[kSize - 1] : 0.0);
+  } else {
+    for (int i = 0; i < kSize; ++i) sum += v[i];
+  }
+  return sum - sum == 0.0 || firstNonFiniteOf(v) < 0;
 }
 
 template <class Tableau, OdeSystem System>
@@ -46,20 +70,54 @@ class RungeKutta {
   /// out = the solution at t + h of the system that passes through y at t; `out` may be `y` itself.
   void step(System& f, double t, double h, const State& y, State& out) {
     start(f, t, y);
-    innerStages(f, t, h, y, std::make_integer_sequence<int, kInner>{});
+    innerStages(k_, f, t, h, y, std::make_integer_sequence<int, kInner>{});
     if constexpr (Tableau::kFirstSameAsLast) {
-      combine<kStages - 1, kStages - 1>(y, h, out);
+      combine<kStages - 1, kStages - 1>(k_, y, h, out);
       f(t + h, out, k_[kStages - 1]);
     } else {
-      combine<kSolution, kStages>(y, h, out);
+      combine<kSolution, kStages>(k_, y, h, out);
     }
     evaluations_ += kStages - 1;
+  }
+
+  /// step() and accept() `count` times from `start` on, with `afterStep(y)` after each. State and derivatives
+  /// are variables of this function: the compiler then knows that storing them leaves the parameters of `f`
+  /// alone. Ends before a step whose result is not finite; step() tells more about it. Returns the steps made.
+  template <class AfterStep>
+  std::int64_t run(System& f, double start, double h, std::int64_t count, State& y,
+                   AfterStep&& afterStep) requires(!kAdaptive && !Tableau::kFirstSameAsLast) {
+    Derivatives k;
+    // A large state is not worth the copies.
+    std::conditional_t<(kSize > kSmallState), State&, State> at = y;
+    bool known = startKnown_;
+    std::int64_t made = 0;
+    for (; made < count; ++made) {
+      const double t = start + static_cast<double>(made) * h;
+      if (known) {
+        k[0] = k_[0];
+      } else {
+        f(t, at, k[0]);
+      }
+      innerStages(k, f, t, h, at, std::make_integer_sequence<int, kInner>{});
+      const State before = at;
+      combine<kSolution, kStages>(k, before, h, at);
+      if (!isFinite(at)) [[unlikely]] {
+        at = before;
+        break;
+      }
+      afterStep(at);
+      known = false;
+    }
+    if constexpr (kSize <= kSmallState) y = at;
+    evaluations_ += kStages * made - (startKnown_ && !known ? 1 : 0);
+    startKnown_ = known;
+    return made;
   }
 
   /// Difference of the fourth- and the fifth-order solution of the step just made.
   [[nodiscard]] State error(double h) const requires kAdaptive {
     State e;
-    scaledSum<kErrorRow>(h, e);
+    scaledSum<kErrorRow>(k_, h, e);
     return e;
   }
 
@@ -84,7 +142,7 @@ class RungeKutta {
     }
     dense.setHermite(t, h, y0, first, y1, last);
     if constexpr (requires { Tableau::kDense; }) {
-      scaledSum<kDenseRow>(h, dense.c[4]);
+      scaledSum<kDenseRow>(k_, h, dense.c[4]);
     }
     setStart(last);
   }
@@ -100,6 +158,7 @@ class RungeKutta {
   [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
 
  private:
+  using Derivatives = std::array<State, kStages>;
   static constexpr int kInner = Tableau::kFirstSameAsLast ? kStages - 2 : kStages - 1;
   static constexpr int kSize = State::RowsAtCompileTime;
   // Rows of weights beyond those of the stages.
@@ -121,45 +180,58 @@ class RungeKutta {
   }
 
   template <int Row, int J>
-  void addTerm(int i, double h, double& sum) const {
-    if constexpr (weight<Row, J>() != 0.0) sum += (h * weight<Row, J>()) * k_[J][i];
+  static void addTerm(const Derivatives& k, int i, double h, double& sum) {
+    if constexpr (weight<Row, J>() != 0.0) sum += (h * weight<Row, J>()) * k[J][i];
+  }
+
+  /// Keeps the sums of a small state from being packed two by two, see kSmallState.
+  static void keepApart([[maybe_unused]] double& sum) {
+#if defined(__GNUC__) && defined(__x86_64__)
+    if constexpr (kSize <= kSmallState) asm("" : "+x"(sum));
+#endif
   }
 
   /// The terms are added in the order of the stages, each one product: the derivative computed last, the one
   /// everything waits for, passes through one multiplication and one addition only.
   template <int Row, int... J>
-  double weightedSum(int i, double h, double from, std::integer_sequence<int, J...>) const {
-    (addTerm<Row, J>(i, h, from), ...);
+  static double weightedSum(const Derivatives& k, int i, double h, double from,
+                            std::integer_sequence<int, J...>) {
+    (addTerm<Row, J>(k, i, h, from), ...);
+    keepApart(from);
     return from;
   }
 
   /// out = y + h * sum of the first Count derivatives with the weights of the row.
   template <int Row, int Count>
-  void combine(const State& y, double h, State& out) const {
+  [[gnu::always_inline]] static void combine(const Derivatives& k, const State& y, double h,
+                                             State& out) {
     for (int i = 0; i < kSize; ++i) {
-      out[i] = weightedSum<Row>(i, h, y[i], std::make_integer_sequence<int, Count>{});
+      out[i] = weightedSum<Row>(k, i, h, y[i], std::make_integer_sequence<int, Count>{});
     }
   }
   template <int Row>
-  void scaledSum(double h, State& out) const {
+  static void scaledSum(const Derivatives& k, double h, State& out) {
     for (int i = 0; i < kSize; ++i) {
-      out[i] = weightedSum<Row>(i, h, 0.0, std::make_integer_sequence<int, kStages>{});
+      out[i] = weightedSum<Row>(k, i, h, 0.0, std::make_integer_sequence<int, kStages>{});
     }
   }
 
   template <int... I>
-  void innerStages(System& f, [[maybe_unused]] double t, [[maybe_unused]] double h, const State& y,
-                   std::integer_sequence<int, I...>) {
-    (stage<I + 1>(f, t, h, y), ...);
+  [[gnu::always_inline]] static void innerStages(Derivatives& k, System& f,
+                                                 [[maybe_unused]] double t,
+                                                 [[maybe_unused]] double h, const State& y,
+                                                 std::integer_sequence<int, I...>) {
+    (stage<I + 1>(k, f, t, h, y), ...);
   }
   template <int I>
-  void stage(System& f, double t, double h, const State& y) {
+  [[gnu::always_inline]] static void stage(Derivatives& k, System& f, double t, double h,
+                                           const State& y) {
     State at;
-    combine<I, I>(y, h, at);
-    f(t + Tableau::kC[I] * h, at, k_[I]);
+    combine<I, I>(k, y, h, at);
+    f(t + Tableau::kC[I] * h, at, k[I]);
   }
 
-  std::array<State, kStages> k_{};
+  Derivatives k_{};
   bool startKnown_ = false;
   std::int64_t evaluations_ = 0;
 };

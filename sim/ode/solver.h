@@ -104,6 +104,13 @@ class Solver {
   using Stepper = typename StepperOf<System>::type;
   static constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
+  struct AfterStep {
+    System* system;
+    void operator()(State& y) const {
+      if constexpr (HasAfterStep<System>) system->afterStep(y);
+    }
+  };
+
   Status run(double end, State& y, const Watch<State>* watch, bool sampled) {
     if (!(end > time_)) return Status::Done;
     if (watch != nullptr) finder_.begin(watch->events, time_, y);
@@ -122,7 +129,11 @@ class Solver {
   Status runFixed(S& stepper, double end, State& y, const Watch<State>* watch, bool sampled) {
     const Division d = divide(end, sampled);
     const double start = time_;
-    for (std::int64_t i = 0; i < d.steps; ++i) {
+    std::int64_t i = 0;
+    if constexpr (requires { stepper.run(*system_, start, d.step, 1, y, AfterStep{system_}); }) {
+      if (watch == nullptr) i = runEqual(stepper, d, end, y);
+    }
+    for (; i < d.steps; ++i) {
       if (i >= settings_.maximumSteps) return fail(FailureKind::BudgetExceeded, -1, d.step, i);
       const bool isLast = i + 1 == d.steps;
       const double h = isLast ? d.last : d.step;
@@ -156,6 +167,17 @@ class Solver {
     if (std::abs(count * h - span) <= slack) return {h, h, steps};
     if (sampled) return {span / count, span / count, steps};
     return {h, span - (count - 1.0) * h, steps};
+  }
+
+  /// The steps of equal length in one go, as far as they are finite and within the budget. Returns how many.
+  template <class S>
+  std::int64_t runEqual(S& stepper, const Division& d, double end, State& y) {
+    const std::int64_t equal = d.last == d.step ? d.steps : d.steps - 1;
+    const std::int64_t count = std::min(equal, settings_.maximumSteps);
+    const std::int64_t made = stepper.run(*system_, time_, d.step, count, y, AfterStep{system_});
+    statistics_.steps += made;
+    time_ = made == d.steps ? end : time_ + static_cast<double>(made) * d.step;
+    return made;
   }
 
   template <class S>
@@ -251,14 +273,6 @@ class Solver {
     const double bound = larger <= 1e-15 ? std::max(1e-6, 1e-3 * h) : std::pow(0.01 / larger, 0.2);
     h = std::min({100.0 * h, bound, maximumStep_});
     return h > 0 ? h : 1e-6;
-  }
-
-  /// The sum of components is finite unless one of them is not (or beyond 1e307, which is looked at closer).
-  /// Component by component: a packed load of what the step has just stored one by one would wait for it.
-  static bool isFinite(const State& y) {
-    double sum = 0.0;
-    for (int i = 0; i < y.size(); ++i) sum += y[i];
-    return sum - sum == 0.0 || firstNonFiniteOf(y) < 0;
   }
 
   template <class S>
