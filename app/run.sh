@@ -37,8 +37,7 @@ if [[ $headless == no ]]; then
 fi
 
 build_targets rotorbench-report rotorbench-cli
-report=("$build_folder/app/rotorbench-report/rotorbench-report"
-        "$root/resources/experiments/f450-hover-and-steps.json" --output rotorbench-output "${arguments[@]}")
+report=("$build_folder/app/rotorbench-report/rotorbench-report" "${arguments[@]}")
 # The 3D view needs an X server to draw with OpenGL; without one the program draws a plain view itself.
 if command -v xvfb-run >/dev/null; then
   exec env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb \

@@ -13,5 +13,4 @@ mkdir -p "$root/resources/screenshots"
 env -u WAYLAND_DISPLAY QT_QPA_PLATFORM=xcb \
   xvfb-run --auto-servernum --server-args="-screen 0 1920x1200x24" \
   "$build_folder/app/rotorbench-report/rotorbench-report" \
-  "$root/resources/experiments/f450-hover-and-steps.json" \
   --window "$root/resources/screenshots/window.png"

@@ -4,8 +4,8 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
-#include "sim/io/experiment_file.h"
-#include "sim/io/resources.h"
+#include "sim/experiment/experiment_file.h"
+#include "sim/experiment/resources.h"
 
 namespace rotorbench::cli {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "sim/core/schema_tree.h"
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 
 namespace rotorbench::cli {
 

@@ -9,9 +9,10 @@
 
 #include "app/rotorbench-cli/edits.h"
 #include "app/rotorbench-report/window_picture.h"
+#include "sim/experiment/run_files.h"
 #include "sim/experiment/simulation.h"
 #include "sim/io/metrics_output.h"
-#include "sim/io/run_files.h"
+#include "sim/io/resources.h"
 #include "ui/shell/report.h"
 
 namespace {
@@ -27,7 +28,7 @@ struct Options {
 };
 
 void describe(CLI::App& app, Options& options) {
-  app.add_option("FILE", options.file, "Experiment file")->required();
+  app.add_option("FILE", options.file, "Experiment file; without one, the first of the gallery");
   app.add_option("--set", options.edits, "Change a parameter: path=value (repeatable)")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
@@ -51,6 +52,12 @@ void useOwnSettings(const QTemporaryDir& folder) {
   QSurfaceFormat::setDefaultFormat(format);
   QApplication::setOrganizationName("Rotorbench");
   QApplication::setApplicationName("Rotorbench");
+}
+
+std::string flagship() {
+  const auto shipped = shippedExperiments();
+  if (shipped.empty()) throw std::runtime_error("The shipped experiments are missing.");
+  return shipped.front().file.string();
 }
 
 int fly(const Options& options) {
@@ -93,6 +100,7 @@ int main(int argc, char** argv) {
   int qtArguments = 1;
   const QApplication app(qtArguments, argv);
   try {
+    if (options.file.empty()) options.file = flagship();
     if (options.window.empty()) return fly(options);
     saveWindowPicture(options.file, options.window);
     return kOk;
