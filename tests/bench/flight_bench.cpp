@@ -3,9 +3,9 @@
 #include <benchmark/benchmark.h>
 
 #include "sim/control/control_model.h"
+#include "sim/experiment/experiment_file.h"
 #include "sim/experiment/pid_pilot.h"
 #include "sim/experiment/simulation.h"
-#include "sim/io/experiment_file.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "sim/core/metrics.h"
+#include "sim/experiment/experiment_file.h"
 #include "sim/experiment/simulation.h"
-#include "sim/io/experiment_file.h"
 
 namespace rotorbench::test {
 

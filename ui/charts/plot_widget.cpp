@@ -115,6 +115,8 @@ void PlotWidget::paintCursors(QPainter& painter) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(QPen(theme.text, 1.5));
   for (const Ring& ring : content_.rings) {
+    // Rings are taken with the curves, the frame may already be that of other data.
+    if (ring.axis >= content_.frame.y.size()) continue;
     const double unitX = content_.frame.x.scale.toUnit(ring.place.x());
     const double unitY = content_.frame.y[ring.axis].scale.toUnit(ring.place.y());
     const QPointF pixel(plot.left() + unitX * plot.width(), plot.bottom() - unitY * plot.height());

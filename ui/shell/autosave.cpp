@@ -9,7 +9,7 @@
 #include <QUuid>
 #include <QtConcurrentRun>
 
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 
 namespace rotorbench {
 

@@ -14,7 +14,7 @@
 #include <QStandardPaths>
 #include <QtConcurrentRun>
 
-#include "sim/io/run_files.h"
+#include "sim/experiment/run_files.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/export_figure.h"

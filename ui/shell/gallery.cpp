@@ -9,8 +9,8 @@
 #include <QScrollArea>
 #include <QtConcurrentMap>
 
-#include "sim/io/experiment_file.h"
-#include "sim/io/resources.h"
+#include "sim/experiment/experiment_file.h"
+#include "sim/experiment/resources.h"
 #include "ui/shell/experiment_picture.h"
 #include "ui/shell/theme.h"
 

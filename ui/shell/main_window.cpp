@@ -11,7 +11,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
-#include "sim/io/resources.h"
+#include "sim/experiment/resources.h"
 #include "ui/forms/help_table.h"
 #include "ui/forms/problems_panel.h"
 #include "ui/shell/chart_binding.h"

@@ -7,7 +7,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 
-#include "sim/io/resources.h"
+#include "sim/experiment/resources.h"
 
 namespace rotorbench {
 

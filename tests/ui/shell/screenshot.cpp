@@ -5,7 +5,7 @@
 #include <QCommandLineParser>
 #include <QSurfaceFormat>
 
-#include "sim/io/resources.h"
+#include "sim/experiment/resources.h"
 #include "tests/ui/shell/shell_fixture.h"
 
 using namespace rotorbench;

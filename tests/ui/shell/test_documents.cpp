@@ -12,7 +12,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/shell/autosave.h"
 

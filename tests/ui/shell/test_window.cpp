@@ -9,7 +9,7 @@
 #include <QProcess>
 #include <QTreeWidget>
 
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/export_figure.h"

@@ -1,10 +1,10 @@
-#include "sim/io/run_files.h"
+#include "sim/experiment/run_files.h"
 
 #include <ostream>
 #include <streambuf>
 
+#include "sim/experiment/experiment_file.h"
 #include "sim/io/csv.h"
-#include "sim/io/experiment_file.h"
 #include "sim/io/file.h"
 #include "sim/io/metrics_output.h"
 

@@ -1,4 +1,4 @@
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 
 #include "sim/io/file.h"
 #include "sim/io/json_document.h"

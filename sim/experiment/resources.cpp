@@ -1,11 +1,11 @@
-#include "sim/io/resources.h"
+#include "sim/experiment/resources.h"
 
 #include <algorithm>
 #include <cstdlib>
 #include <fstream>
 
 #include "sim/core/schema_tree.h"
-#include "sim/io/experiment_file.h"
+#include "sim/experiment/experiment_file.h"
 
 namespace rotorbench {
 
