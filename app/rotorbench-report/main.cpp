@@ -9,10 +9,10 @@
 
 #include "app/rotorbench-cli/edits.h"
 #include "app/rotorbench-report/window_picture.h"
+#include "sim/experiment/resources.h"
 #include "sim/experiment/run_files.h"
 #include "sim/experiment/simulation.h"
 #include "sim/io/metrics_output.h"
-#include "sim/io/resources.h"
 #include "ui/shell/report.h"
 
 namespace {
