@@ -20,6 +20,10 @@ test_packages=(
 check_packages=(
   clang-format clang-tidy shellcheck
 )
+# shellcheck disable=SC2034
+package_packages=(
+  dpkg-dev file
+)
 
 # missing_packages NAME...: prints those that are not installed, one a line.
 missing_packages() {

@@ -1,7 +1,7 @@
 # What `cmake --install` and `cpack -G DEB` put where. The programs find their resources in
 # ../share/rotorbench beside them, so the prefix is free.
 install(TARGETS rotorbench-cli RUNTIME)
-install(DIRECTORY resources/experiments resources/help resources/library resources/icons
+install(DIRECTORY resources/experiments resources/help resources/icons
         DESTINATION ${CMAKE_INSTALL_DATADIR}/rotorbench)
 
 # Man pages and the change log carry the version and are compressed as Debian wants them: no name and
@@ -29,7 +29,7 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rotorbench)
 set(CPACK_PACKAGE_VENDOR "Rotorbench")
-set(CPACK_PACKAGE_CONTACT "Rotorbench developers <rotorbench@localhost>")
+set(CPACK_PACKAGE_CONTACT "Rotorbench developers <rotorbench@users.noreply.github.com>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "workbench that simulates and analyses quadrotors and their parts")
 set(CPACK_PACKAGE_DESCRIPTION
 "Rotorbench computes how a quadrotor flies before it is built: rotors, motors,
