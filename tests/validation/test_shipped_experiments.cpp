@@ -104,11 +104,19 @@ class TestShippedExperiments : public QObject {
     }
   }
 
+  /// Integral action finds the trim the controller does not know: at the end nothing is left; at the end of each part
+  /// of the timeline the slow yaw loop may still be on its way.
   void unbalancedStillSettles() {
-    const MetricTable table = runToEnd(shipped("unbalanced-f450"))->metrics();
+    const auto simulation = runToEnd(shipped("unbalanced-f450"));
+    const MetricTable table = simulation->metrics();
     QVERIFY(figure(table, "Flight", "altitude_rest_error") < 1e-3);
+    const Recording& r = *simulation->runs().front().recording;
     for (const char* axis : {"roll", "pitch", "yaw"}) {
-      QVERIFY(degrees(figure(table, "Flight", std::string(axis) + "_rest_error")) < 0.01);
+      QVERIFY2(degrees(figure(table, "Flight", std::string(axis) + "_rest_error")) < 0.1, axis);
+      const std::size_t last = r.rows() - 1;
+      const double end = r.value(*r.find(std::string("attitude.") + axis), last) -
+                         r.value(*r.find(std::string("setpoint.") + axis), last);
+      QVERIFY2(std::abs(degrees(end)) < 0.01, axis);
     }
   }
 

@@ -149,6 +149,12 @@ void ChartLegend::setMostHeight(int height) {
   arrange();
 }
 
+void ChartLegend::setColumnWidth(int width) {
+  if (width == columnWidth_) return;
+  columnWidth_ = width;
+  arrange();
+}
+
 void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("legendMenu"));
@@ -160,17 +166,25 @@ void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
   menu->popup(globalPosition);
 }
 
-/// Entries flow in rows; as a table each has a row of its own below the heads.
+/// Entries flow in rows; as a table or column each has a row of its own, below the heads if there are any.
 void ChartLegend::arrange() {
+  const bool column = columnWidth_ > 0;
+  if (column) {
+    setFixedWidth(columnWidth_);
+  } else {
+    setMinimumWidth(0);
+    setMaximumWidth(QWIDGETSIZE_MAX);
+  }
   const int width = viewport()->width();
   const int rowHeight = QFontMetrics(font()).height() + 2;
   const bool table = !heads_.isEmpty();
   int x = kBetween;
   int y = table ? rowHeight : 0;
   for (auto* item : items_) {
+    const bool ownRow = table || column;
     const int wanted =
-        table ? width - 2 * kBetween : std::min(item->sizeHint().width(), width - 2 * kBetween);
-    if (x > kBetween && (table || x + wanted > width)) {
+        ownRow ? width - 2 * kBetween : std::min(item->sizeHint().width(), width - 2 * kBetween);
+    if (x > kBetween && (ownRow || x + wanted > width)) {
       x = kBetween;
       y += rowHeight;
     }
@@ -180,7 +194,12 @@ void ChartLegend::arrange() {
   }
   const int content = items_.empty() && !table ? 0 : y + rowHeight + 2;
   body_->resize(width, content);
-  setFixedHeight(std::min(content, std::max(mostHeight_, rowHeight + 2)));
+  if (column) {
+    setMinimumHeight(0);
+    setMaximumHeight(QWIDGETSIZE_MAX);
+  } else {
+    setFixedHeight(std::min(content, std::max(mostHeight_, rowHeight + 2)));
+  }
 }
 
 void ChartLegend::paintHeads() {

@@ -56,8 +56,10 @@ class ChartLegend : public QScrollArea {
   void setEntries(const std::vector<LegendEntry>& entries);
   /// One list of cells per entry, and the heads of the columns; empty heads end the table.
   void setReadouts(const QStringList& heads, const std::vector<QStringList>& cells);
-  /// The most height the legend may take; beyond it scrolls.
+  /// The most height the legend may take below its plot; beyond it scrolls.
   void setMostHeight(int height);
+  /// Beside the plot instead, as a column of this width; 0: below it.
+  void setColumnWidth(int width);
   [[nodiscard]] const std::vector<LegendItem*>& items() const { return items_; }
   [[nodiscard]] const QStringList& heads() const { return heads_; }
 
@@ -79,6 +81,7 @@ class ChartLegend : public QScrollArea {
   std::vector<LegendItem*> items_;
   QStringList heads_;
   int mostHeight_ = 120;
+  int columnWidth_ = 0;
   int widestCell_ = 0;  ///< grows while cursors are set, so that columns stay in place
 };
 

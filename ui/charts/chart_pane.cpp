@@ -1,5 +1,6 @@
 #include "ui/charts/chart_pane.h"
 
+#include <QBoxLayout>
 #include <QDragEnterEvent>
 #include <QLineEdit>
 #include <QMenu>
@@ -18,6 +19,8 @@ namespace {
 constexpr int kGesturePauseMs = 700;  // a longer pause starts a new step of the zoom history
 constexpr std::size_t kMostHistory = 50;
 constexpr double kLegendShare = 0.35;
+constexpr int kLowPane = 280;           // px; below this the legend stands beside the plot,
+constexpr double kLegendColumns = 1.5;  // if the pane is this much wider than high
 
 }  // namespace
 
@@ -226,8 +229,16 @@ void ChartPane::updateReadouts() {
 
 void ChartPane::resizeEvent(QResizeEvent* event) {
   QFrame::resizeEvent(event);
-  legend_->setMostHeight(static_cast<int>(kLegendShare * height()));
+  placeLegend();
   markStale();
+}
+
+/// In a low, wide pane the legend stands beside the plot, which needs the height.
+void ChartPane::placeLegend() {
+  const bool beside = height() < kLowPane && width() > kLegendColumns * height();
+  content_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+  legend_->setColumnWidth(beside ? std::clamp(width() * 9 / 20, 120, 230) : 0);
+  legend_->setMostHeight(static_cast<int>(kLegendShare * height()));
 }
 
 void ChartPane::showEvent(QShowEvent* event) {

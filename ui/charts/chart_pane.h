@@ -14,6 +14,7 @@
 #include "ui/charts/run_set.h"
 
 class QAction;
+class QBoxLayout;
 class QLineEdit;
 class QMenu;
 class QToolButton;
@@ -89,6 +90,7 @@ class ChartPane : public QFrame {
   void takeCurves();
   void updateHint();
   void updateReadouts();
+  void placeLegend();
   void viewChosen(const ChartView& view, bool continuous);
   void markStale();
   [[nodiscard]] std::size_t publishedRows() const;
@@ -116,6 +118,7 @@ class ChartPane : public QFrame {
   QToolButton* menuButton_ = nullptr;
   PlotWidget* plot_ = nullptr;
   ChartLegend* legend_ = nullptr;
+  QBoxLayout* content_ = nullptr;  ///< plot and legend, below or beside each other
   QMenu* menu_ = nullptr;
   QMenu* removeMenu_ = nullptr;
   QTimer pending_;

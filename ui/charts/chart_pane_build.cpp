@@ -81,8 +81,11 @@ void ChartPane::build() {
   column->setContentsMargins(2, 2, 2, 2);
   column->setSpacing(0);
   column->addLayout(header);
-  column->addWidget(plot_, 1);
-  column->addWidget(legend_);
+  content_ = new QBoxLayout(QBoxLayout::TopToBottom);
+  content_->setSpacing(0);
+  content_->addWidget(plot_, 1);
+  content_->addWidget(legend_);
+  column->addLayout(content_, 1);
   for (QWidget* part : QList<QWidget*>{title_, plot_, legend_}) part->installEventFilter(this);
   buildMenu();
 }

@@ -7,6 +7,17 @@
 namespace rotorbench {
 namespace {
 
+/// The title of an axis in the room there is; the unit is the last to go.
+QString fitted(const QString& title, const QFontMetricsF& metrics, qreal room) {
+  if (metrics.horizontalAdvance(title) <= room) return title;
+  const auto unit = title.lastIndexOf('[');
+  if (unit <= 0) return metrics.elidedText(title, Qt::ElideRight, room);
+  const QString tail = ' ' + title.mid(unit);
+  const qreal left = room - metrics.horizontalAdvance(tail);
+  const QString name = metrics.elidedText(title.left(unit).trimmed(), Qt::ElideRight, left);
+  return name.size() > 2 ? name + tail : tail.trimmed();
+}
+
 constexpr qreal kTick = 4;
 constexpr qreal kGap = 3;
 constexpr qreal kOuter = 4;
@@ -79,8 +90,7 @@ void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index,
       plot.center().y());
   painter.rotate(-90);
   const QRectF title(-plot.height() / 2, -metrics.height() / 2, plot.height(), metrics.height());
-  painter.drawText(title, Qt::AlignCenter,
-                   metrics.elidedText(axis.title, Qt::ElideRight, plot.height()));
+  painter.drawText(title, Qt::AlignCenter, fitted(axis.title, metrics, plot.height()));
   painter.restore();
 }
 
