@@ -106,8 +106,7 @@ void InstallTest::experimentsHaveAType() {
   const auto type = types.mimeTypeForFile("hover.rotorbench.json", QMimeDatabase::MatchExtension);
   QCOMPARE(type.name(), QString("application/x-rotorbench-experiment+json"));
   QVERIFY(type.inherits("application/json"));
-  QCOMPARE(types.mimeTypeForFile("other.json", QMimeDatabase::MatchExtension).name(),
-           QString("application/json"));
+  QVERIFY(types.mimeTypeForFile("other.json", QMimeDatabase::MatchExtension).name() != type.name());
 }
 
 void InstallTest::readmeExampleFlies() {
