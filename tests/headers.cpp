@@ -1,2 +1,4 @@
 // Nothing of its own: it makes CMake build the precompiled headers the tests share.
-int main() { return 0; }
+int main() {
+  return 0;
+}

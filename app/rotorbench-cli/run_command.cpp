@@ -10,9 +10,9 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
+#include "sim/experiment/run_files.h"
 #include "sim/experiment/simulation.h"
 #include "sim/io/metrics_output.h"
-#include "sim/experiment/run_files.h"
 
 namespace rotorbench::cli {
 

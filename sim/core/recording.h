@@ -74,7 +74,8 @@ class Recording {
   std::size_t columnStride_;
   std::size_t maxRows_;
   WhenFull whenFull_;
-  std::unique_ptr<std::atomic<double*>[]> chunks_;  // fixed directory: readers index it without a lock
+  std::unique_ptr<std::atomic<double*>[]>
+      chunks_;  // fixed directory: readers index it without a lock
   std::size_t appended_ = 0;
   std::size_t offered_ = 0;
   std::size_t nextThinning_ = 0;

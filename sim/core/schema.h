@@ -40,10 +40,18 @@ struct Bound {
   double value;
   bool open;
 };
-inline Bound above(double v) { return {v, true}; }
-inline Bound atLeast(double v) { return {v, false}; }
-inline Bound below(double v) { return {v, true}; }
-inline Bound upTo(double v) { return {v, false}; }
+inline Bound above(double v) {
+  return {v, true};
+}
+inline Bound atLeast(double v) {
+  return {v, false};
+}
+inline Bound below(double v) {
+  return {v, true};
+}
+inline Bound upTo(double v) {
+  return {v, false};
+}
 
 struct Range {
   Bound low{-std::numeric_limits<double>::infinity(), true};
@@ -70,10 +78,10 @@ enum class TextRole { Line, Paragraph, FilePath, Channels };
 struct Field {
   std::string key, label, symbol, help, source;
   Kind kind = Kind::Number;
-  std::string unit = "1";         ///< SI unit of the stored value
-  std::string displayUnit = "1";  ///< unit a form shows first
-  Range range;                    ///< Number, Integer, Vector components
-  std::size_t size = 0;           ///< Vector: number of components
+  std::string unit = "1";                   ///< SI unit of the stored value
+  std::string displayUnit = "1";            ///< unit a form shows first
+  Range range;                              ///< Number, Integer, Vector components
+  std::size_t size = 0;                     ///< Vector: number of components
   std::vector<std::string> componentNames;  ///< Vector: "x", "y", "z"
   std::vector<Option> options;              ///< Choice; Variant: one per alternative
   TextRole role = TextRole::Line;           ///< Text
@@ -90,14 +98,16 @@ struct Field {
   std::function<const Type&(const void* owner, std::size_t index)> childType;
   std::function<void*(void* owner, std::size_t index)> child;
 
-  std::function<std::size_t(const void* owner)> chosen;           ///< Variant: index into options
-  std::function<void(void* owner, std::size_t option)> choose;    ///< Variant: default-made alternative
+  std::function<std::size_t(const void* owner)> chosen;  ///< Variant: index into options
+  std::function<void(void* owner, std::size_t option)>
+      choose;  ///< Variant: default-made alternative
   std::function<const Type&(std::size_t option)> alternativeType;  ///< Variant
 
   std::function<std::size_t(const void* owner)> count;        ///< List
   std::function<void(void* owner, std::size_t)> resize;       ///< List: new elements default-made
   std::function<void(void* owner, std::size_t index)> erase;  ///< List
-  std::function<void(void* owner, std::size_t index)> insert;  ///< List: default-made element before index
+  std::function<void(void* owner, std::size_t index)>
+      insert;  ///< List: default-made element before index
 
   [[nodiscard]] const void* child_(const void* owner, std::size_t index) const {
     return child(const_cast<void*>(owner), index);

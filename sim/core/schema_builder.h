@@ -86,8 +86,8 @@ class Builder {
   }
 
   template <class I>
-    requires(std::is_integral_v<I> && !std::is_same_v<I, bool>)
-  FieldBuilder integer(std::string key, I T::*member, std::string label, std::string symbol = {}) {
+  requires(std::is_integral_v<I> && !std::is_same_v<I, bool>) FieldBuilder
+      integer(std::string key, I T::*member, std::string label, std::string symbol = {}) {
     Field& f = add(Kind::Integer, std::move(key), std::move(label), std::move(symbol));
     // 2^53: the largest integers every JSON reader keeps exact; or what the member can hold.
     constexpr double kExact = 9007199254740992.0;
@@ -115,8 +115,8 @@ class Builder {
   }
 
   template <class E>
-    requires std::is_enum_v<E>
-  FieldBuilder choice(std::string key, E T::*member, std::string label, std::vector<Named<E>> named) {
+  requires std::is_enum_v<E> FieldBuilder choice(std::string key, E T::*member, std::string label,
+                                                 std::vector<Named<E>> named) {
     Field& f = add(Kind::Choice, std::move(key), std::move(label), {});
     for (const auto& n : named) f.options.push_back({n.key, n.label, n.help});
     f.read = [member, named](const void* o) {

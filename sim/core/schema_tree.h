@@ -45,7 +45,8 @@ std::optional<Problem> check(const Field& field, const Value& value, std::string
 std::optional<Problem> checkCount(const Field& field, std::size_t count, std::string path);
 
 /// Checks and, if nothing is wrong, writes a leaf of `owner`.
-std::optional<Problem> assign(const Field& field, void* owner, const Value& value, std::string path);
+std::optional<Problem> assign(const Field& field, void* owner, const Value& value,
+                              std::string path);
 
 /// The text as a value of this leaf in SI, or the Problem. Ranges are not checked here.
 std::variant<Value, Problem> readText(const Field& field, std::string_view text, std::string path);
@@ -58,7 +59,9 @@ std::vector<Problem> validate(ConstRef root);
 
 /// Calls `visit` for each field below root in order of declaration (groups, variants and lists before their
 /// members), chosen alternatives only.
-void walk(ConstRef root, const std::function<void(const std::string& path, const Field&, const void* owner)>& visit);
+void walk(
+    ConstRef root,
+    const std::function<void(const std::string& path, const Field&, const void* owner)>& visit);
 
 /// What differs between two documents of one type: leaf paths with both values as shown to people ("—" where
 /// one document has no such parameter).
@@ -77,6 +80,7 @@ std::string joinPath(std::string_view path, std::string_view key);
 std::string allowedOptions(const std::vector<Option>& options, std::string_view given);
 
 /// The candidate closest in spelling, if close enough to be meant.
-std::optional<std::string> nearest(std::string_view word, const std::vector<std::string>& candidates);
+std::optional<std::string> nearest(std::string_view word,
+                                   const std::vector<std::string>& candidates);
 
 }  // namespace rotorbench::schema

@@ -49,6 +49,7 @@ struct ParsedQuantity {
 /// Reads "9.45 in", "0,25", "3*2", "960 rpm/V" or "1e-3" as a value in `unit`. Text without a unit is
 /// taken to be in `defaultUnit`. Both decimal separators are understood; + - * / and parentheses too. A unit
 /// is written once and belongs to the whole: "1/2 in", "9.45 in / 2". The error reads "what; what is allowed".
-ParsedQuantity parseQuantity(std::string_view text, std::string_view unit, std::string_view defaultUnit);
+ParsedQuantity parseQuantity(std::string_view text, std::string_view unit,
+                             std::string_view defaultUnit);
 
 }  // namespace rotorbench
