@@ -43,6 +43,7 @@ Recording::Recording(std::vector<Channel> channels, RecordingLimits limits)
   maxRows_ = maxChunks * kChunkRows;
   nextThinning_ = maxRows_ / 2;
   chunks_ = std::make_unique<std::atomic<double*>[]>(maxChunks);
+  group_.resize(kGroupRows * channels_.size());
 }
 
 Recording::~Recording() {
@@ -60,16 +61,10 @@ bool Recording::append(std::span<const double> row) {
     return true;
   }
   if (appended_ == maxRows_) return whenFull_ == WhenFull::Thin;
-  const std::size_t chunk = appended_ / kChunkRows;
-  const std::size_t inChunk = appended_ % kChunkRows;
-  double* data = chunks_[chunk].load(std::memory_order_relaxed);
-  if (data == nullptr) {
-    data = newChunk(channels_.size() * columnStride_);
-    if (data == nullptr) return false;
-    chunks_[chunk].store(data, std::memory_order_release);
-  }
-  for (std::size_t c = 0; c < row.size(); ++c) data[c * columnStride_ + inChunk] = row[c];
+  if (appended_ % kChunkRows == 0 && !provideChunk()) return false;
+  std::copy(row.begin(), row.end(), group_.data() + appended_ % kGroupRows * row.size());
   ++appended_;
+  if (appended_ % kGroupRows == 0) writeGroup();
   ++offered_;
   if (whenFull_ == WhenFull::Thin && appended_ >= nextThinning_) {
     const std::size_t room = maxRows_ - appended_;
@@ -79,7 +74,36 @@ bool Recording::append(std::span<const double> row) {
   return true;
 }
 
+bool Recording::provideChunk() {
+  std::atomic<double*>& chunk = chunks_[appended_ / kChunkRows];
+  if (chunk.load(std::memory_order_relaxed) != nullptr) return true;
+  double* data = newChunk(channels_.size() * columnStride_);
+  chunk.store(data, std::memory_order_release);
+  return data != nullptr;
+}
+
+void Recording::writeGroup() {
+  if (written_ == appended_) return;
+  const std::size_t columns = channels_.size();
+  double* to =
+      chunks_[written_ / kChunkRows].load(std::memory_order_relaxed) + written_ % kChunkRows;
+  const double* from = group_.data() + written_ % kGroupRows * columns;
+  const std::size_t rows = appended_ - written_;
+  if (rows == kGroupRows) {  // the usual case, with a loop the compiler can unroll
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (std::size_t r = 0; r < kGroupRows; ++r)
+        to[c * columnStride_ + r] = from[r * columns + c];
+    }
+  } else {
+    for (std::size_t c = 0; c < columns; ++c) {
+      for (std::size_t r = 0; r < rows; ++r) to[c * columnStride_ + r] = from[r * columns + c];
+    }
+  }
+  written_ = appended_;
+}
+
 void Recording::publish() {
+  writeGroup();
   published_.store(appended_, std::memory_order_release);
 }
 

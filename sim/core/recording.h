@@ -2,7 +2,8 @@
 // without locks, who see the rows published so far and never a row in the making.
 //
 // Storage: chunks of kChunkRows rows, one padded column per channel inside a chunk (the pad keeps columns off
-// the same cache set); chunks never move, so a reader may keep pointers into published rows.
+// the same cache set); chunks never move, so a reader may keep pointers into published rows. Rows are collected in
+// groups of kGroupRows and written column by column, a whole cache line of each at a time.
 #pragma once
 
 #include <atomic>
@@ -34,6 +35,7 @@ struct RecordingLimits {
 class Recording {
  public:
   static constexpr std::size_t kChunkRows = 4096;
+  static constexpr std::size_t kGroupRows = 8;  ///< doubles of a cache line; divides kChunkRows
 
   /// `channels[0]` is the abscissa (time in s for a run), its values never decrease.
   explicit Recording(std::vector<Channel> channels, RecordingLimits limits = {});
@@ -70,12 +72,19 @@ class Recording {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  /// Makes sure that the chunk of the next row exists; false if there is no memory for it.
+  bool provideChunk();
+  /// Brings the collected rows into their columns.
+  void writeGroup();
+
   std::vector<Channel> channels_;
   std::size_t columnStride_;
   std::size_t maxRows_;
   WhenFull whenFull_;
   std::unique_ptr<std::atomic<double*>[]>
-      chunks_;  // fixed directory: readers index it without a lock
+      chunks_;                 // fixed directory: readers index it without a lock
+  std::vector<double> group_;  // row after row; row r of the recording stands at r % kGroupRows
+  std::size_t written_ = 0;    // rows in their columns; those up to appended_ are in group_
   std::size_t appended_ = 0;
   std::size_t offered_ = 0;
   std::size_t nextThinning_ = 0;
