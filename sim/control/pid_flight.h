@@ -10,6 +10,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -26,10 +27,15 @@ namespace rotorbench {
 template <PidUse Use>
 PidParameters<Use> pidForPoles(double pair, double damping, double real, double limit) {
   PidParameters<Use> p;
-  p.kp = pair * pair + 2 * damping * pair * real;
-  p.ki = pair * pair * real;
-  p.kd = 2 * damping * pair + real;
-  p.setPointWeight = p.ki / (real * p.kp);
+  // Four digits, as a person would enter them.
+  const auto rounded = [](double gain) {
+    const double scale = std::pow(10.0, 3 - std::floor(std::log10(gain)));
+    return std::round(gain * scale) / scale;
+  };
+  p.kp = rounded(pair * pair + 2 * damping * pair * real);
+  p.ki = rounded(pair * pair * real);
+  p.kd = rounded(2 * damping * pair + real);
+  p.setPointWeight = rounded(p.ki / (real * p.kp));
   p.limit = limit;
   return p;
 }

@@ -60,6 +60,7 @@ class ComparisonSimulation final : public SimulationBase {
   }
 
   [[nodiscard]] Progress progress() const override {
+    if (stage_ == stageCount()) return {1, comparison_.duration, "compared"};
     const auto stages = static_cast<double>(stageCount());
     const double time = stage_ == 0 ? reference_.time() : (run_ ? run_->solver().time() : 0);
     const double within = stage_ <= comparison_.methods.size()

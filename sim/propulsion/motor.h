@@ -28,15 +28,15 @@ struct MotorParameters {
 /// enough that the friction of a stopping rotor is no stiffer than the rest of the motor.
 inline constexpr double kFrictionSpeed = 1.0;
 
-/// The numbers the derivative uses.
-struct MotorConstants {
-  double torqueConstant = 0;  ///< K_t = K_b, N m/A = V s/rad
-  double resistance = 0;      ///< Ohm
-  double inductance = 1;      ///< H
-  double inverseInductance = 1;
-  double viscousFriction = 0;  ///< f, N m s
-  double dryFriction = 0;      ///< T_c, N m
-  double maxCurrent = 0;       ///< A
+/// The equations of one motor (Real is double) or of several at once (Real is an Eigen::Array of
+/// double with one lane per motor).
+template <class Real>
+struct MotorModel {
+  Real torqueConstant{};     ///< K_t = K_b, N m/A = V s/rad
+  Real resistance{};         ///< Ohm
+  Real inverseInductance{};  ///< 1/H
+  Real viscousFriction{};    ///< f, N m s
+  Real dryFriction{};        ///< T_c, N m
 
   /// Friction torque in N m at speed w, against the rotation; smooth through w = 0.
   template <class S>
@@ -50,6 +50,13 @@ struct MotorConstants {
   [[nodiscard]] S currentRate(const S& v, const S& i, const S& w) const {
     return S((v - resistance * i - torqueConstant * w) * inverseInductance);
   }
+};
+
+/// One motor.
+struct MotorConstants : MotorModel<double> {
+  double inductance = 1;  ///< H
+  double maxCurrent = 0;  ///< A
+
   /// Current in A that holds speed w against an aerodynamic torque in N m.
   [[nodiscard]] double steadyCurrent(double w, double aerodynamicTorque) const {
     return (aerodynamicTorque + friction(w)) / torqueConstant;

@@ -60,35 +60,35 @@ struct RotorParameters {
   bool operator==(const RotorParameters&) const = default;
 };
 
-/// Force and moment of one rotor in body axes, the moment about the hub.
-template <class S>
+/// Force and moment of a rotor in body axes, the moment about the hub. S is a scalar, or an array
+/// with one lane per rotor.
+template <class S, class Vector = Eigen::Matrix<S, 3, 1>>
 struct RotorLoad {
-  Eigen::Matrix<S, 3, 1> force;
-  Eigen::Matrix<S, 3, 1> moment;
+  Vector force;
+  Vector moment;
   S thrust;  ///< N along the axis
   S torque;  ///< N m, aerodynamic, against the rotation
 };
 
-/// The lumped model per unit of air density, and the rotor's inertia.
-struct RotorConstants {
-  double thrust = 0, torque = 0, drag = 0, inflow = 0, lift = 0, flapping = 0;
-  double inertia = 1, inverseInertia = 1;
-  double radius = 0;  ///< m, for drawing
+/// The lumped model per unit of air density, for one rotor (Real is double) or for several at once
+/// (Real is an Eigen::Array of double with one lane per rotor).
+template <class Real>
+struct RotorModel {
+  Real thrust{}, torque{}, drag{}, inflow{}, lift{}, flapping{};
 
   /// Speed w in rad/s (negative: turning backwards, thrust and torque change sign), hub velocity
   /// against the air and axis in body axes, spin +-1, density in kg/m^3.
-  template <class S>
-  [[nodiscard]] RotorLoad<S> load(const S& w, const Eigen::Matrix<S, 3, 1>& v,
-                                  const Eigen::Vector3d& axis, double spin,
-                                  const S& density) const {
+  template <class S, class Vector, class Axis, class Density>
+  [[nodiscard]] RotorLoad<S, Vector> load(const S& w, const Vector& v, const Axis& axis,
+                                          const Real& spin, const Density& density) const {
     using std::abs;
     const S magnitude = abs(w);
-    const S axial = v.x() * axis.x() + v.y() * axis.y() + v.z() * axis.z();
-    const S inPlaneSquared = v.x() * v.x() + v.y() * v.y() + v.z() * v.z() - axial * axial;
-    const S square = density * w * magnitude;
+    const S axial = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
+    const S inPlaneSquared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - axial * axial;
     const S drive = density * magnitude;
-    RotorLoad<S> l;
-    l.thrust = thrust * square + density * lift * inPlaneSquared - inflow * drive * axial;
+    const S square = drive * w;
+    RotorLoad<S, Vector> l;
+    l.thrust = thrust * square + lift * (density * inPlaneSquared) - inflow * (drive * axial);
     l.torque = torque * square;
     const S side = drag * drive;
     // In-plane velocity is v - axial * axis; its axial part is put back into the thrust here.
@@ -102,6 +102,12 @@ struct RotorConstants {
     }
     return l;
   }
+};
+
+/// One rotor: the lumped model and the rotor's inertia.
+struct RotorConstants : RotorModel<double> {
+  double inertia = 1, inverseInertia = 1;
+  double radius = 0;  ///< m, for drawing
 };
 
 RotorConstants buildRotor(const RotorParameters& parameters);

@@ -12,20 +12,48 @@ namespace {
 template <int N>
 struct ForcesSink {
   MultirotorForces<N>& out;
-  void operator()(int i, const RotorLoad<double>& load, double voltage) const {
-    const auto k = static_cast<std::size_t>(i);
-    out.thrust[k] = load.thrust;
-    out.torque[k] = load.torque;
-    out.voltage[k] = voltage;
-  }
-  void operator()(const Eigen::Vector3d& rates, const Eigen::Vector3d& specificForce, double bus,
+  using Lanes = Eigen::Array<double, N, 1>;
+  void operator()(const Lanes& thrust, const Lanes& torque, const Lanes& voltage,
+                  const Eigen::Vector3d& rates, const Eigen::Vector3d& specificForce, double bus,
                   double supplyCurrent) const {
+    Eigen::Map<Lanes>(out.thrust.data()) = thrust;
+    Eigen::Map<Lanes>(out.torque.data()) = torque;
+    Eigen::Map<Lanes>(out.voltage.data()) = voltage;
     out.rates = rates;
     out.specificForce = specificForce;
     out.busVoltage = bus;
     out.supplyCurrent = supplyCurrent;
   }
 };
+
+template <int N>
+RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>& hubs) {
+  RotorLanes<N> lanes;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto& hub = hubs[i];
+    const auto lane = static_cast<int>(i);
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto axis = static_cast<int>(k);
+      lanes.arm[k][lane] = hub.arm[axis];
+      lanes.axis[k][lane] = hub.axis[axis];
+      lanes.momentum[k][lane] = hub.momentum[axis];
+    }
+    lanes.spin[lane] = hub.spin;
+    lanes.inverseInertia[lane] = hub.rotor.inverseInertia;
+    lanes.rotor.thrust[lane] = hub.rotor.thrust;
+    lanes.rotor.torque[lane] = hub.rotor.torque;
+    lanes.rotor.drag[lane] = hub.rotor.drag;
+    lanes.rotor.inflow[lane] = hub.rotor.inflow;
+    lanes.rotor.lift[lane] = hub.rotor.lift;
+    lanes.rotor.flapping[lane] = hub.rotor.flapping;
+    lanes.motor.torqueConstant[lane] = hub.motor.torqueConstant;
+    lanes.motor.resistance[lane] = hub.motor.resistance;
+    lanes.motor.inverseInductance[lane] = hub.motor.inverseInductance;
+    lanes.motor.viscousFriction[lane] = hub.motor.viscousFriction;
+    lanes.motor.dryFriction[lane] = hub.motor.dryFriction;
+  }
+  return lanes;
+}
 
 }  // namespace
 
@@ -44,6 +72,7 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
     hub.motor = buildMotor(rotors[i].rotor.motor);
     hub.momentum = hub.spin * hub.rotor.inertia * hub.axis;
   }
+  c.lanes = lanesOf<N>(c.hubs);
   c.mass = body.mass;
   c.inverseMass = 1 / body.mass;
   c.centre = body.centre;
@@ -69,17 +98,16 @@ void Multirotor<N, Drive>::updateCommand(const State& y, State& dydt,
                                          MultirotorForces<N>& forces) const {
   using L = Layout;
   if constexpr (Drive == RotorDrive::Motors) {
-    forces.supplyCurrent = 0;
-    for (int i = 0; i < N; ++i) forces.supplyCurrent += command_[i] * y[L::kCurrent + i];
+    const LanesOf<double> speed = y.template segment<N>(L::kSpeed).array();
+    const LanesOf<double> current = y.template segment<N>(L::kCurrent).array();
+    forces.supplyCurrent = LanesOf<double>(command_.array() * current).sum();
     forces.busVoltage =
         constants_.supply.voltage - constants_.supply.internalResistance * forces.supplyCurrent;
+    const LanesOf<double> voltage = command_.array() * forces.busVoltage;
     dydt[L::kCharge] = forces.supplyCurrent;
-    for (int i = 0; i < N; ++i) {
-      const auto n = static_cast<std::size_t>(i);
-      forces.voltage[n] = command_[i] * forces.busVoltage;
-      dydt[L::kCurrent + i] = constants_.hubs[n].motor.currentRate(
-          forces.voltage[n], y[L::kCurrent + i], y[L::kSpeed + i]);
-    }
+    dydt.template segment<N>(L::kCurrent) =
+        constants_.lanes.motor.currentRate(voltage, current, speed).matrix();
+    Eigen::Map<LanesOf<double>>(forces.voltage.data()) = voltage;
   } else {
     dydt.template segment<N>(L::kSpeed) = command_;
   }

@@ -27,6 +27,17 @@
 
 namespace rotorbench {
 
+/// The constants of all rotors side by side, lane i for rotor i: the derivative works on every rotor
+/// at once, with the vector instructions of the processor.
+template <int N>
+struct RotorLanes {
+  using Lanes = Eigen::Array<double, N, 1>;
+  std::array<Lanes, 3> arm, axis, momentum;  ///< x, y, z of what Hub holds
+  Lanes spin, inverseInertia;
+  RotorModel<Lanes> rotor;
+  MotorModel<Lanes> motor;
+};
+
 /// Everything the derivative needs, computed once per run.
 template <int N>
 struct MultirotorConstants {
@@ -39,6 +50,7 @@ struct MultirotorConstants {
     MotorConstants motor;
   };
   std::array<Hub, N> hubs;
+  RotorLanes<N> lanes;  ///< the numbers of `hubs` again
   double mass, inverseMass;
   Eigen::Vector3d centre;  ///< centre of mass in the body frame of the parameters
   Eigen::Matrix3d inertia, inverseInertia;
@@ -105,6 +117,9 @@ class Multirotor {
   template <class S>
   using CommandOf = Eigen::Matrix<S, N, 1>;
   using Command = CommandOf<double>;
+  /// One quantity of every rotor.
+  template <class S>
+  using LanesOf = Eigen::Array<S, N, 1>;
 
   explicit Multirotor(const Constants& constants) : constants_(constants) {}
 
@@ -149,10 +164,9 @@ class Multirotor {
   template <class S>
   [[nodiscard]] Eigen::Matrix<S, 3, 1> bodyRates(const StateOf<S>& y) const {
     Eigen::Matrix<S, 3, 1> body = y.template segment<3>(Layout::kMomentum);
-    for (int i = 0; i < N; ++i) {
-      const S& speed = y[Layout::kSpeed + i];
-      const Eigen::Vector3d& h = constants_.hubs[static_cast<std::size_t>(i)].momentum;
-      for (int k = 0; k < 3; ++k) body[k] -= speed * h[k];
+    const LanesOf<S> speed = y.template segment<N>(Layout::kSpeed).array();
+    for (std::size_t k = 0; k < 3; ++k) {
+      body[static_cast<int>(k)] -= LanesOf<S>(constants_.lanes.momentum[k] * speed).sum();
     }
     return times(constants_.inverseInertia, body);
   }

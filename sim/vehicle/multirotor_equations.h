@@ -30,6 +30,7 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   using std::sqrt;
   using L = Layout;
   using Vector = Eigen::Matrix<S, 3, 1>;
+  using Lanes = LanesOf<S>;
   const Constants& c = constants_;
 
   const S qw = y[L::kAttitude], qx = y[L::kAttitude + 1], qy = y[L::kAttitude + 2],
@@ -51,38 +52,39 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
     moment[k] = -c.drag.angular[k] * w[k];
   }
 
-  S supplyCurrent = S(0.0), bus = S(c.supply.voltage);
-  if constexpr (Drive == RotorDrive::Motors) {
-    for (int i = 0; i < N; ++i) supplyCurrent += command[i] * y[L::kCurrent + i];
-    bus -= c.supply.internalResistance * supplyCurrent;
+  const auto& lanes = c.lanes;
+  const Lanes speed = y.template segment<N>(L::kSpeed).array();
+  std::array<Lanes, 3> hubVelocity;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+    const auto axis = static_cast<int>(k);
+    hubVelocity[k] =
+        v[axis] + (w[(axis + 1) % 3] * lanes.arm[b] - w[(axis + 2) % 3] * lanes.arm[a]);
+  }
+  const auto load = lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+    const Lanes turning =
+        load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
+    force[static_cast<int>(k)] += load.force[k].sum();
+    moment[static_cast<int>(k)] += turning.sum();
   }
 
-  for (int i = 0; i < N; ++i) {
-    const auto& hub = c.hubs[static_cast<std::size_t>(i)];
-    const S speed = y[L::kSpeed + i];
-    Vector hubVelocity;
-    hubVelocity[0] = v[0] + w[1] * hub.arm[2] - w[2] * hub.arm[1];
-    hubVelocity[1] = v[1] + w[2] * hub.arm[0] - w[0] * hub.arm[2];
-    hubVelocity[2] = v[2] + w[0] * hub.arm[1] - w[1] * hub.arm[0];
-    const RotorLoad<S> load = hub.rotor.load(speed, hubVelocity, hub.axis, hub.spin, density);
-    for (int k = 0; k < 3; ++k) {
-      const int a = (k + 1) % 3, b = (k + 2) % 3;
-      force[k] += load.force[k];
-      moment[k] += load.moment[k] + hub.arm[a] * load.force[b] - hub.arm[b] * load.force[a];
-    }
-    if constexpr (Drive == RotorDrive::Motors) {
-      const S current = y[L::kCurrent + i];
-      const S voltage = command[i] * bus;
-      dydt[L::kSpeed + i] =
-          (hub.motor.torqueConstant * current - hub.motor.friction(speed) - load.torque) *
-          hub.rotor.inverseInertia;
-      dydt[L::kCurrent + i] = hub.motor.currentRate(voltage, current, speed);
-      sink(i, load, voltage);
-    } else {
-      dydt[L::kSpeed + i] = command[i];
-      dydt[L::kCurrent + i] = S(0.0);
-      sink(i, load, S(0.0));
-    }
+  S supplyCurrent = S(0.0), bus = S(c.supply.voltage);
+  Lanes voltage = Lanes::Constant(S(0.0));
+  auto speedRate = dydt.template segment<N>(L::kSpeed).array();
+  auto currentRate = dydt.template segment<N>(L::kCurrent).array();
+  if constexpr (Drive == RotorDrive::Motors) {
+    const Lanes current = y.template segment<N>(L::kCurrent).array();
+    supplyCurrent = Lanes(command.array() * current).sum();
+    bus -= c.supply.internalResistance * supplyCurrent;
+    voltage = command.array() * bus;
+    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - load.torque) *
+                lanes.inverseInertia;
+    currentRate = lanes.motor.currentRate(voltage, current, speed);
+  } else {
+    speedRate = command.array();
+    currentRate = voltage;
   }
 
   dydt[L::kAttitude] = -0.5 * (qx * w[0] + qy * w[1] + qz * w[2]);
@@ -99,7 +101,7 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   dydt[L::kVelocity + 1] = r.yx * force[0] + r.yy * force[1] + r.yz * force[2];
   dydt[L::kVelocity + 2] = r.zx * force[0] + r.zy * force[1] + r.zz * force[2] - c.gravity;
   dydt[L::kCharge] = supplyCurrent;
-  sink(w, force, bus, supplyCurrent);
+  sink(load.thrust, load.torque, voltage, w, force, bus, supplyCurrent);
 }
 
 }  // namespace rotorbench

@@ -99,9 +99,15 @@ CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCur
       std::any_of(list.curves.begin(), list.curves.end(),
                   [&](const Curve& curve) { return curve.runId != list.curves.front().runId; });
   setStyles(list.curves, severalRuns, runs, spec.markers);
+  // Where all show the same channel, the axis names it.
+  const bool severalChannels = std::any_of(
+      list.curves.begin(), list.curves.end(),
+      [&](const Curve& curve) { return curve.y().name != list.curves.front().y().name; });
   for (auto& curve : list.curves) {
     const QString name = QString::fromStdString(curve.y().name);
-    curve.label = severalRuns ? curve.runName + QStringLiteral(": ") + name : name;
+    curve.label = !severalRuns       ? name
+                  : !severalChannels ? curve.runName
+                                     : curve.runName + QStringLiteral(": ") + name;
   }
   return list;
 }

@@ -185,13 +185,18 @@ void RunDesk::showMetrics(int id) {
 // record is that of the first.
 void RunDesk::fillRunSet() {
   std::vector<ChartRun> shown;
+  const auto visible = std::ranges::count_if(runs_.records(), &RunRecord::visible);
   for (const RunRecord& record : runs_.records()) {
+    // "RK4" alone, "RK4 (Run 2)" where another comparison is shown too.
+    const QString whose = record.name.section(':', 0, 0);
     const auto& outputs = record.status.outputs;
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       const QString part = QString::fromStdString(outputs[i].name);
       shown.push_back(
           {QString("%1/%2").arg(record.id).arg(i),
-           outputs.size() > 1 ? tr("%1 (%2)").arg(part, record.name) : record.name,
+           outputs.size() == 1 ? record.name
+           : visible > 1       ? tr("%1 (%2)").arg(part, whose)
+                               : part,
            outputs.size() > 1 ? runColor(record.id - 1 + static_cast<int>(i)) : record.color,
            outputs[i].recording, record.visible});
     }
