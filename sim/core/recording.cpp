@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <cstdlib>
 #include <limits>
 
@@ -18,16 +19,29 @@ constexpr std::size_t kPad = 8;
 constexpr std::size_t kLastRoom = 64;
 constexpr std::size_t kLargestStride = std::size_t{1} << 62;
 
-/// Fresh pages for one chunk, or null. The kernel hands them out in one go, which is several times cheaper than one
-/// fault per page inside the run; where it cannot, they come as they are touched.
-double* newChunk(std::size_t values) {
-  constexpr std::size_t kPage = 4096;
-  const std::size_t bytes = (values * sizeof(double) + kPage - 1) / kPage * kPage;
-  void* memory = std::aligned_alloc(kPage, bytes);
-#ifdef MADV_POPULATE_WRITE
-  if (memory != nullptr) madvise(memory, bytes, MADV_POPULATE_WRITE);
+/// Chunks lie side by side in slabs of this many, large enough for huge pages: a fault and the clearing of 4 KiB at a
+/// time would cost a quarter of a flight. Pages of a slab become memory chunk by chunk.
+constexpr std::size_t kSlabChunks = 8;
+constexpr std::size_t kPage = 4096;
+constexpr std::size_t kHugePage = std::size_t{2} << 20;
+
+double* newSlab(std::size_t bytes) {
+  const std::size_t page = bytes < kHugePage ? kPage : kHugePage;
+  bytes = (bytes + page - 1) / page * page;
+  void* memory = std::aligned_alloc(page, bytes);
+#ifdef MADV_HUGEPAGE
+  if (memory != nullptr && page == kHugePage) madvise(memory, bytes, MADV_HUGEPAGE);
 #endif
   return static_cast<double*>(memory);
+}
+
+/// Asks the kernel for the pages of a chunk in one go, cheaper than one fault per page inside the run; where it cannot,
+/// they come as they are touched.
+void populate([[maybe_unused]] double* chunk, [[maybe_unused]] std::size_t bytes) {
+#ifdef MADV_POPULATE_WRITE
+  const std::size_t before = reinterpret_cast<std::uintptr_t>(chunk) % kPage;
+  madvise(reinterpret_cast<char*>(chunk) - before, before + bytes, MADV_POPULATE_WRITE);
+#endif
 }
 
 }  // namespace
@@ -47,7 +61,7 @@ Recording::Recording(std::vector<Channel> channels, RecordingLimits limits)
 }
 
 Recording::~Recording() {
-  for (std::size_t i = 0; i < maxRows_ / kChunkRows; ++i) {
+  for (std::size_t i = 0; i < maxRows_ / kChunkRows; i += kSlabChunks) {
     std::free(chunks_[i].load(std::memory_order_relaxed));
   }
 }
@@ -75,11 +89,19 @@ bool Recording::append(std::span<const double> row) {
 }
 
 bool Recording::provideChunk() {
-  std::atomic<double*>& chunk = chunks_[appended_ / kChunkRows];
-  if (chunk.load(std::memory_order_relaxed) != nullptr) return true;
-  double* data = newChunk(channels_.size() * columnStride_);
-  chunk.store(data, std::memory_order_release);
-  return data != nullptr;
+  const std::size_t chunk = appended_ / kChunkRows;
+  const std::size_t values = channels_.size() * columnStride_;
+  double* data = nullptr;
+  if (chunk % kSlabChunks == 0) {
+    const std::size_t chunks = std::min(kSlabChunks, maxRows_ / kChunkRows - chunk);
+    data = newSlab(chunks * values * sizeof(double));
+    if (data == nullptr) return false;
+  } else {
+    data = chunks_[chunk - 1].load(std::memory_order_relaxed) + values;
+  }
+  populate(data, values * sizeof(double));
+  chunks_[chunk].store(data, std::memory_order_release);
+  return true;
 }
 
 void Recording::writeGroup() {
