@@ -118,7 +118,7 @@ void Describe<BirotorMotion>::fields(schema::Builder<BirotorMotion>& b) {
   b.variant("plant", &BirotorMotion::plant, "Birotor");
   b.group("solver", &BirotorMotion::solver, "Solver");
   b.number("sampleInterval", &BirotorMotion::sampleInterval, "Sample interval", "h", "s")
-      .range(schema::above(0), schema::upTo(10))
+      .range(schema::atLeast(1e-9), schema::upTo(10))
       .shownIn("ms")
       .help(
           "The solver ends a step at every sample instant; recorded rows are a multiple of it "

@@ -31,19 +31,17 @@ class ComparedRun {
       : mode_(comparison.mode),
         interval_(comparison.sampleInterval),
         duration_(comparison.duration),
+        budget_(settings.maximumSteps),
         solver_(settings, plant),
         y_(plant.initialState()) {}
 
-  /// Sampled mode: on to the next sample instant. Free mode: on by at most `kFreeSlice` steps.
+  /// Sampled mode: on to the next sample instant. Free mode: on by at most `kFreeSlice` steps. Failed too where the
+  /// whole run takes more steps than the settings' budget: with a hopeless tolerance it would never end.
   ode::Status advance(Reference* reference, const Observer& observer) {
-    if (mode_ == DrivingMode::Free) return advanceFreely(reference, observer);
-    ++samples_;
-    const double end = std::min(duration_, static_cast<double>(samples_) * interval_);
-    const bool last = duration_ - end < 1e-9 * interval_;
-    const ode::Status status = solver_.advanceTo(last ? duration_ : end, y_);
-    if (status != ode::Status::Failed && !observe(reference, observer, interval_))
-      return ode::Status::Stopped;
-    return status;
+    const ode::Status status = mode_ == DrivingMode::Free ? advanceFreely(reference, observer)
+                                                          : advanceToSample(reference, observer);
+    const bool spent = !done() && solver_.statistics().attempts() >= budget_;
+    return spent ? ode::Status::Failed : status;
   }
 
   /// The whole span without recording.
@@ -59,6 +57,16 @@ class ComparedRun {
 
  private:
   static constexpr std::int64_t kFreeSlice = 100000;
+
+  ode::Status advanceToSample(Reference* reference, const Observer& observer) {
+    ++samples_;
+    const double end = std::min(duration_, static_cast<double>(samples_) * interval_);
+    const bool last = duration_ - end < 1e-9 * interval_;
+    const ode::Status status = solver_.advanceTo(last ? duration_ : end, y_);
+    if (status != ode::Status::Failed && !observe(reference, observer, interval_))
+      return ode::Status::Stopped;
+    return status;
+  }
 
   ode::Status advanceFreely(Reference* reference, const Observer& observer) {
     std::int64_t steps = 0;
@@ -86,6 +94,7 @@ class ComparedRun {
 
   DrivingMode mode_;
   double interval_, duration_;
+  std::int64_t budget_;
   ode::Solver<Plant> solver_;
   State y_;
   std::int64_t samples_ = 0;

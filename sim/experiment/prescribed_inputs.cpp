@@ -30,7 +30,7 @@ namespace {
 template <class Quantity>
 InputSignal fromCsv(const CsvInputs<Quantity>& csv, const std::filesystem::path& directory) {
   if (csv.file.empty())
-    throw InputError({}, {{"control.source.file", "no file is named", "a CSV file"}});
+    throw InputError({}, {{"setup.control.source.file", "no file is named", "a CSV file"}});
   const CsvTable table = readCsvFile(directory / csv.file);
   if (table.columns.size() != 5) {
     throw InputError(table.source, {{"", "has " + std::to_string(table.columns.size()) + " columns",

@@ -65,7 +65,9 @@ class ComparisonSimulation final : public SimulationBase {
     const double time = stage_ == 0 ? reference_.time() : (run_ ? run_->solver().time() : 0);
     const double within = stage_ <= comparison_.methods.size()
                               ? std::min(1.0, time / comparison_.duration)
-                              : static_cast<double>(level_) / kLevels;
+                              : (level_ + static_cast<double>(levelMethod()) /
+                                              static_cast<double>(comparison_.methods.size())) /
+                                    kLevels;
     const auto index = std::min(stage_, runs().size() - 1);
     return {std::min(1.0, (static_cast<double>(stage_) + within) / stages), time,
             runs()[index].name};
@@ -201,23 +203,31 @@ class ComparisonSimulation final : public SimulationBase {
     return best;
   }
 
+  /// One slice of one method at one level, so that a stop never waits for a whole level.
   void tickWorkPrecision() {
-    Recording& recording = *runs().back().recording;
-    std::vector<double> row{static_cast<double>(level_)};
-    for (const auto& m : comparison_.methods) {
-      // The fixed-step methods start at four times the step of the comparison.
-      const auto settings =
-          comparedSettings(comparison_, m.method, std::exp2(level_ - 2), std::pow(10.0, -level_));
+    if (levelRow_.empty()) levelRow_.push_back(static_cast<double>(level_));
+    if (!run_) {
       SolverComparison free = comparison_;
       free.mode = DrivingMode::Free;
-      ComparedRun<Plant> run(free, settings, plant_);
-      const bool failed = run.finish(&reference_) == ode::Status::Failed;
-      row.push_back(static_cast<double>(run.solver().statistics().evaluations));
-      row.push_back(failed ? std::numeric_limits<double>::quiet_NaN() : run.maxError());
+      // The fixed-step methods start at four times the step of the comparison.
+      run_.emplace(free,
+                   comparedSettings(comparison_, comparison_.methods[levelMethod()].method,
+                                    std::exp2(level_ - 2), std::pow(10.0, -level_)),
+                   plant_);
     }
-    if (!recording.append(row)) return failFull(comparison_.duration);
+    const bool failed = run_->advance(&reference_, nullptr) == ode::Status::Failed;
+    if (!failed && !run_->done()) return;
+    levelRow_.push_back(static_cast<double>(run_->solver().statistics().evaluations));
+    levelRow_.push_back(failed ? std::numeric_limits<double>::quiet_NaN() : run_->maxError());
+    run_.reset();
+    if (levelMethod() < comparison_.methods.size()) return;
+    if (!runs().back().recording->append(levelRow_)) return failFull(comparison_.duration);
+    levelRow_.clear();
     if (++level_ == kLevels) nextStage();
   }
+
+  /// The method whose turn it is: the row holds the level, then two values per method that is done.
+  [[nodiscard]] std::size_t levelMethod() const { return levelRow_.size() / 2; }
 
   bool recordReference(double t, const typename Plant::State& y) {
     row_[0] = t;
@@ -242,6 +252,7 @@ class ComparisonSimulation final : public SimulationBase {
   std::int64_t every_, ticksPerRun_, sample_ = 0;
   std::size_t stage_ = 0;
   int level_ = 0;
+  std::vector<double> levelRow_;
   std::vector<Figures> figures_;
   std::vector<double> row_;
 };

@@ -57,7 +57,7 @@ void Describe<SolverComparison>::fields(schema::Builder<SolverComparison>& b) {
         "Each method runs over the whole span in one go and chooses its steps. Errors are taken at "
         "its own steps, against the reference at exactly that time."}});
   b.number("sampleInterval", &T::sampleInterval, "Step and sample interval", "h", "s")
-      .range(schema::above(0), schema::upTo(10))
+      .range(schema::atLeast(1e-9), schema::upTo(10))
       .shownIn("ms")
       .help("Interval of the sample instants, and the step of the fixed-step methods.");
   b.number("duration", &T::duration, "Duration", "T", "s")

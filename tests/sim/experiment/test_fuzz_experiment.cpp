@@ -16,8 +16,8 @@ using namespace rotorbench;
 
 namespace {
 
-constexpr int kMutations = 20'000;
-constexpr int kSimulated = 400;
+constexpr int kMutations = 40'000;
+constexpr int kSimulated = 800;
 
 /// The shipped experiments as they are and written out in full, so that every default is hit too.
 std::vector<std::string> seedTexts() {
@@ -108,7 +108,7 @@ class TestFuzzExperiment : public QObject {
 
 void TestFuzzExperiment::shippedFilesAreSeeds() {
   const auto seeds = seedTexts();
-  QVERIFY(seeds.size() >= 14);
+  QVERIFY(seeds.size() >= 12);
   for (const auto& text : seeds) checkRoundTrip(readExperiment(text, "seed.json"), text);
 }
 
@@ -126,8 +126,8 @@ void TestFuzzExperiment::mutatedExperiments() {
       const Experiment experiment = readExperiment(text, "fuzz.json");
       ++accepted;
       checkRoundTrip(experiment, text);
-      // Every eighth, so that all seeds and kinds of damage are among them.
-      if (simulated < kSimulated && accepted % 8 == 0) {
+      // Every fourth, so that all seeds and kinds of damage are among them.
+      if (simulated < kSimulated && accepted % 4 == 0) {
         ++simulated;
         if (simulate(experiment) > 0) ++recorded;
       }
@@ -174,7 +174,7 @@ void TestFuzzExperiment::badFiles_data() {
   QTest::addRow("NaN") << flight(R"("duration": NaN)") << "line 1";
   QTest::addRow("Infinity") << flight(R"("duration": Infinity)") << "line 1";
   QTest::addRow("NaN as text") << flight(R"("duration": "NaN")") << "setup.duration";
-  QTest::addRow("too large for a number") << flight(R"("duration": 1e999)") << "1e999";
+  QTest::addRow("too large for a number") << flight(R"("duration": 1e999)") << "too large";
   QTest::addRow("null") << flight(R"("duration": null)") << "setup.duration";
   QTest::addRow("duplicate key") << flight(R"("duration": 5, "duration": 6)") << "setup.duration";
   QTest::addRow("duplicate version")
