@@ -43,7 +43,7 @@ StepFigures stepFigures(const Recording& recording, const StepWindow& w) {
         std::max(figures.restError, std::abs(recording.value(w.channel, row) - w.after));
   }
   const double size = w.after - w.before;
-  if (size == 0) return figures;
+  if (size == 0 || w.endRow - w.firstRow < 2) return figures;
   figures.overshoot = 0;
   for (std::size_t row = w.firstRow; row < w.endRow; ++row) {
     figures.overshoot =

@@ -39,7 +39,17 @@ struct FlightBuilder {
 std::unique_ptr<Simulation> buildFlight(const Flight& flight, const OutputSettings& outputs,
                                         std::uint64_t /*seed*/,
                                         const std::filesystem::path& directory) {
-  return std::visit(FlightBuilder{flight, outputs, directory}, flight.control);
+  try {
+    return std::visit(FlightBuilder{flight, outputs, directory}, flight.control);
+  } catch (const InputError& error) {
+    if (error.source() != "vehicle") throw;
+    // What the vehicle's rooms refuse is named from the root of the document, so that the window can jump there.
+    auto problems = error.problems();
+    for (Problem& problem : problems) {
+      problem.path = problem.path.empty() ? "setup.vehicle" : "setup.vehicle." + problem.path;
+    }
+    throw InputError({}, std::move(problems));
+  }
 }
 
 void Describe<Flight>::fields(schema::Builder<Flight>& b) {
