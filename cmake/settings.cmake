@@ -12,8 +12,8 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 if(ROTORBENCH_SANITIZE)
   add_compile_options(-fsanitize=${ROTORBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${ROTORBENCH_SANITIZE})
-  # g++ 12 sees uninitialised variants where the instrumentation hides how they are filled.
-  target_compile_options(rotorbench_settings INTERFACE -Wno-maybe-uninitialized)
+  # g++ 12 sees uninitialised and unallocated variants where the instrumentation hides how they are filled.
+  target_compile_options(rotorbench_settings INTERFACE -Wno-maybe-uninitialized -Wno-free-nonheap-object)
 endif()
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM)
