@@ -54,7 +54,7 @@ class TestThesisTables : public QObject {
     QVERIFY2(error > 0 && error < 10e-3, qPrintable(QString::number(error)));
   }
 
-  /// With the dimensionally right damping, 2 D r^2, the bar is braked less: alpha' -> (F2 - F1)/(2 D r) = 40 rad/s
+  /// With the dimensionally right damping, 2 D r^2, the bar is braked more: alpha' -> (F2 - F1)/(2 D r) = 40 rad/s
   /// instead of (F2 - F1)/(2 D r^2) = 160 rad/s, which the run of 60 s only approaches.
   void physicalDampingChangesTheEnd() {
     Experiment experiment = shipped("thesis-experiment-1");
