@@ -52,6 +52,8 @@ class BirotorSimulation final : public SimulationBase {
         {"evaluations", "1", "Evaluations of the equations of motion",
          count(statistics.evaluations)},
         {"rejected", "1", "Steps thrown away by the error control", count(statistics.rejected)}};
+    for (auto& m : BirotorView<Plant>::endMetrics(plant_, solver_.time(), y_))
+      figures.metrics.push_back(std::move(m));
     const auto largest = [&](const char* channel, const char* name, const char* unit,
                              const char* text) {
       const auto column = recording_->find(channel);

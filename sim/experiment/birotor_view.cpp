@@ -36,6 +36,17 @@ void BirotorView<RigidBarBirotor>::row(const RigidBarBirotor& plant,
   std::copy(std::begin(values), std::end(values), out);
 }
 
+std::vector<Metric> BirotorView<RigidBarBirotor>::endMetrics(const RigidBarBirotor& plant, double t,
+                                                             const RigidBarBirotor::State& y) {
+  return {{"end_angular_velocity", "rad/s", "Angular velocity at the end", y[5]},
+          {"end_angular_velocity_physical", "rad/s",
+           "The exact one with physical damping of the rotation",
+           plant.angularVelocityAt(t, BirotorDamping::Physical)},
+          {"end_angular_velocity_thesis_2014", "rad/s",
+           "The exact one with the damping of the 2014 thesis, which is weaker by the arm length",
+           plant.angularVelocityAt(t, BirotorDamping::Thesis2014)}};
+}
+
 std::vector<Channel> BirotorView<SpringBarBirotor>::channels() {
   auto all = sharedChannels();
   all.insert(all.end(),
@@ -71,6 +82,13 @@ void BirotorView<SpringBarBirotor>::row(const SpringBarBirotor& plant,
                            bar.length,
                            bar.force};
   std::copy(std::begin(values), std::end(values), out);
+}
+
+std::vector<Metric> BirotorView<SpringBarBirotor>::endMetrics(const SpringBarBirotor& /*plant*/,
+                                                              double /*t*/,
+                                                              const SpringBarBirotor::State& y) {
+  return {{"end_angular_velocity", "rad/s", "Angular velocity at the end",
+           SpringBarBirotor::angularVelocity(y)}};
 }
 
 }  // namespace rotorbench

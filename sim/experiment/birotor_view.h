@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sim/core/channel.h"
+#include "sim/core/metrics.h"
 #include "sim/vehicle/birotor.h"
 
 namespace rotorbench {
@@ -20,6 +21,9 @@ template <>
 struct BirotorView<RigidBarBirotor> {
   static std::vector<Channel> channels();
   void row(const RigidBarBirotor& plant, const RigidBarBirotor::State& y, double* out);
+  /// How fast the bar turns at time t, and how fast it would with each damping law: what the choice between them changes.
+  static std::vector<Metric> endMetrics(const RigidBarBirotor& plant, double t,
+                                        const RigidBarBirotor::State& y);
 };
 
 /// The angle is unwrapped from row to row.
@@ -27,6 +31,8 @@ template <>
 struct BirotorView<SpringBarBirotor> {
   static std::vector<Channel> channels();
   void row(const SpringBarBirotor& plant, const SpringBarBirotor::State& y, double* out);
+  static std::vector<Metric> endMetrics(const SpringBarBirotor& plant, double t,
+                                        const SpringBarBirotor::State& y);
 
  private:
   double angle_ = 0;

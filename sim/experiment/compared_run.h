@@ -35,7 +35,7 @@ class ComparedRun {
         solver_(settings, plant),
         y_(plant.initialState()) {}
 
-  /// Sampled mode: on to the next sample instant. Free mode: on by at most `kFreeSlice` steps. Failed too where the
+  /// Sampled mode: on to the next sample instant. Free mode: on by about `kFreeSlice` tried steps. Failed too where the
   /// whole run takes more steps than the settings' budget: with a hopeless tolerance it would never end.
   ode::Status advance(Reference* reference, const Observer& observer) {
     const ode::Status status = mode_ == DrivingMode::Free ? advanceFreely(reference, observer)
@@ -44,19 +44,13 @@ class ComparedRun {
     return spent ? ode::Status::Failed : status;
   }
 
-  /// The whole span without recording.
-  ode::Status finish(Reference* reference) {
-    ode::Status status = ode::Status::Done;
-    while (status != ode::Status::Failed && !done()) status = advance(reference, nullptr);
-    return status;
-  }
-
   [[nodiscard]] bool done() const { return !(solver_.time() < duration_); }
+  [[nodiscard]] const State& state() const { return y_; }
   [[nodiscard]] double maxError() const { return maxError_; }
   [[nodiscard]] const ode::Solver<Plant>& solver() const { return solver_; }
 
  private:
-  static constexpr std::int64_t kFreeSlice = 100000;
+  static constexpr std::int64_t kFreeSlice = 5000;
 
   ode::Status advanceToSample(Reference* reference, const Observer& observer) {
     ++samples_;
@@ -69,12 +63,12 @@ class ComparedRun {
   }
 
   ode::Status advanceFreely(Reference* reference, const Observer& observer) {
-    std::int64_t steps = 0;
+    const std::int64_t enough = solver_.statistics().attempts() + kFreeSlice;
     bool stopped = false;
     ode::Watch<State> watch;
     watch.onStep = [&](const ode::StepView<State>& step) {
       stopped = !observe(reference, observer, step.end - step.start);
-      return !stopped && ++steps < kFreeSlice;
+      return !stopped && solver_.statistics().attempts() < enough;
     };
     const ode::Status status = solver_.integrate(duration_, y_, watch);
     if (status == ode::Status::Failed) return status;

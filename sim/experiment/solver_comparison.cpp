@@ -16,10 +16,11 @@ ode::SolverSettings comparedSettings(const SolverComparison& comparison, ode::Me
                                .step = comparison.sampleInterval / refinement,
                                .errorControl = comparison.errorControl};
   if (auto* scaled = std::get_if<ode::ScaledErrorControl>(&settings.errorControl)) {
-    scaled->relativeTolerance *= toleranceFactor;
+    scaled->relativeTolerance = std::max(scaled->relativeTolerance * toleranceFactor, 1e-15);
     scaled->absoluteTolerance *= toleranceFactor;
   } else {
-    std::get<ode::ThesisErrorControl>(settings.errorControl).tolerance *= toleranceFactor;
+    auto& tolerance = std::get<ode::ThesisErrorControl>(settings.errorControl).tolerance;
+    tolerance = std::max(tolerance * toleranceFactor, 1e-15);  // rounding allows no less
   }
   return settings;
 }
@@ -28,6 +29,9 @@ namespace {
 
 /// Points of the work-precision diagram: each level halves the step or divides the tolerance by ten.
 constexpr int kLevels = 7;
+/// A method is timed this often, and a sampled run this many samples a tick.
+constexpr int kTimedRuns = 3;
+constexpr int kTimedSlice = 1000;
 
 template <class Plant>
 class ComparisonSimulation final : public SimulationBase {
@@ -62,7 +66,10 @@ class ComparisonSimulation final : public SimulationBase {
   [[nodiscard]] Progress progress() const override {
     if (stage_ == stageCount()) return {1, comparison_.duration, "compared"};
     const auto stages = static_cast<double>(stageCount());
-    const double time = stage_ == 0 ? reference_.time() : (run_ ? run_->solver().time() : 0);
+    const bool timing = timedRuns_ > 0;  // once more what was already run
+    const double time = timing        ? comparison_.duration
+                        : stage_ == 0 ? reference_.time()
+                                      : (run_ ? run_->solver().time() : 0);
     const double within = stage_ <= comparison_.methods.size()
                               ? std::min(1.0, time / comparison_.duration)
                               : (level_ + static_cast<double>(levelMethod()) /
@@ -92,6 +99,8 @@ class ComparisonSimulation final : public SimulationBase {
              count(f.statistics.rejected)},
             {"wall_time", "s", "Computing time of the whole span without recording, best of three",
              f.wallTime}}});
+      for (auto& m : BirotorView<Plant>::endMetrics(plant_, f.time, f.state))
+        table.back().metrics.push_back(std::move(m));
     }
     return table;
   }
@@ -102,6 +111,8 @@ class ComparisonSimulation final : public SimulationBase {
     double maxError = 0;
     double wallTime = std::numeric_limits<double>::quiet_NaN();
     ode::Statistics statistics;
+    double time = 0;  ///< s, how far the method came
+    typename Plant::State state = Plant::State::Zero();
   };
 
   static std::vector<Channel> runChannels(bool compared) {
@@ -162,6 +173,7 @@ class ComparisonSimulation final : public SimulationBase {
   }
 
   void tickMethod(std::size_t index) {
+    if (timedRuns_ > 0) return tickTiming(index);
     Recording& recording = *runs()[index + 1].recording;
     if (!run_) {
       run_.emplace(comparison_, comparedSettings(comparison_, comparison_.methods[index].method),
@@ -181,26 +193,36 @@ class ComparisonSimulation final : public SimulationBase {
     Figures& figures = figures_[index];
     figures.maxError = run_->maxError();
     figures.statistics = run_->solver().statistics();
+    figures.time = run_->solver().time();
+    figures.state = run_->state();
     if (full) return failFull(run_->solver().time());
     // A method that fails on this problem is a result of the comparison, not the end of it.
     const bool failed = status == ode::Status::Failed;
     if (failed) figures.maxError = std::numeric_limits<double>::infinity();
     if (!failed && !run_->done()) return;
-    if (!failed) figures.wallTime = timeWholeSpan(comparison_.methods[index].method);
     run_.reset();
-    nextStage();
+    if (failed) return nextStage();
+    timedRuns_ = kTimedRuns;
   }
 
-  double timeWholeSpan(ode::Method method) {
-    double best = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-      ComparedRun<Plant> run(comparison_, comparedSettings(comparison_, method), plant_);
-      const auto start = std::chrono::steady_clock::now();
-      run.finish(nullptr);
-      best = std::min(
-          best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  /// The whole span once more without recording or reference, against the clock; a slice a tick, so that a stop
+  /// never waits for a long run.
+  void tickTiming(std::size_t index) {
+    using Clock = std::chrono::steady_clock;
+    if (!run_) {
+      run_.emplace(comparison_, comparedSettings(comparison_, comparison_.methods[index].method),
+                   plant_);
+      timed_ = 0;
     }
-    return best;
+    // A slice of a free run is thousands of steps already.
+    const int slice = comparison_.mode == DrivingMode::Free ? 1 : kTimedSlice;
+    const auto start = Clock::now();
+    for (int i = 0; i < slice && !run_->done(); ++i) run_->advance(nullptr, nullptr);
+    timed_ += std::chrono::duration<double>(Clock::now() - start).count();
+    if (!run_->done()) return;
+    figures_[index].wallTime = std::fmin(figures_[index].wallTime, timed_);  // NaN before the first
+    run_.reset();
+    if (--timedRuns_ == 0) nextStage();
   }
 
   /// One slice of one method at one level, so that a stop never waits for a whole level.
@@ -252,6 +274,8 @@ class ComparisonSimulation final : public SimulationBase {
   std::int64_t every_, ticksPerRun_, sample_ = 0;
   std::size_t stage_ = 0;
   int level_ = 0;
+  int timedRuns_ = 0;  ///< how often the method of this stage is still to be timed
+  double timed_ = 0;   ///< s, the clock of the timed run so far
   std::vector<double> levelRow_;
   std::vector<Figures> figures_;
   std::vector<double> row_;

@@ -234,18 +234,19 @@ class Solver {
     }
     stepper.accept(*system_, time_, reached, h, before, y, dense_);
     time_ = reached;
-    const bool goOn = show(*watch, y);
-    if (!goOn) stepper.restart();
-    return goOn;
+    return show(stepper, *watch, y);
   }
 
-  bool show(const Watch<State>& watch, State& y) {
+  template <class S>
+  bool show(S& stepper, const Watch<State>& watch, State& y) {
     bool goOn = true;
     if (!watch.events.empty()) {
       for (const Occurrence<State>& o : finder_.find(dense_, time_, y)) {
         if (finder_.isTerminal(o)) {
           time_ = o.time;
           y = o.state;
+          // What the stepper remembers belongs to the end of the step, not to the event.
+          stepper.restart();
           goOn = false;
         }
         if (watch.onEvent) watch.onEvent(o);

@@ -44,6 +44,12 @@ void Describe<ode::ScaledErrorControl>::fields(schema::Builder<ode::ScaledErrorC
       .range(atLeast(0.1), upTo(1))
       .help("The next step is this fraction of the one the error estimate would allow.")
       .advanced();
+  b.number("keptChange", &T::keptChange, "Kept change", "", "1")
+      .range(atLeast(0), upTo(0.5))
+      .help(
+          "A step that would change by less than this fraction is kept: steps that change all the "
+          "time cost more than they save.")
+      .advanced();
   b.number("shrinkLimit", &T::shrinkLimit, "Shrink limit", "", "1")
       .range(atLeast(0.001), below(1))
       .help("A step is at least this fraction of the one before.")
@@ -61,7 +67,7 @@ void Describe<ode::ThesisErrorControl>::fields(schema::Builder<ode::ThesisErrorC
           "h_new = 0.9 h (tolerance / error)^(1/5), absolute tolerance, no limit on growth.",
           "Quadrotor Simulator (University of Aveiro, 2014), eq. (1.50)");
   b.number("tolerance", &T::tolerance, "Tolerance", "delta", "1")
-      .range(above(0), upTo(1e6))
+      .range(atLeast(1e-15), upTo(1e6))
       .help("Largest norm of the local error of the whole state, in SI units.");
   b.choice("norm", &T::norm, "Error norm", norms())
       .help(

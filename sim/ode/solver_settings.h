@@ -73,8 +73,9 @@ struct ScaledErrorControl {
   double relativeTolerance = 1e-6;
   double absoluteTolerance = 1e-9;
   Norm norm = Norm::Rms;
-  StepController controller = StepController::Elementary;
+  StepController controller = StepController::ProportionalIntegral;
   double safety = 0.9;
+  double keptChange = 0.05;   ///< a step is kept where it would change by less
   double shrinkLimit = 0.2;   ///< smallest ratio of two successive steps
   double growthLimit = 10.0;  ///< largest ratio of two successive steps
   bool operator==(const ScaledErrorControl&) const = default;

@@ -28,20 +28,27 @@ StepControl::StepControl(const SolverSettings& settings) {
       beta_ = kPiBeta;
       exponent_ = 0.2 - 0.75 * kPiBeta;
     }
+    // Where the error does not change, the factor is safety * error^-(exponent - beta).
+    const double kept = scaled.keptChange, inverse = 1 / (exponent_ - beta_);
+    if (kept > 0) {
+      keepAbove_ = std::pow(safety_ / (1 + kept), inverse);
+      keepUpTo_ = std::min(1.0, std::pow(safety_ / (1 - kept), inverse));
+    }
   }
   forget();
 }
 
 void StepControl::forget() {
   rejected_ = false;
-  lastTerm_ = beta_ * std::log(kSmallestError);
+  lastError_ = 0;
 }
 
-double StepControl::growAfter(double error) {
+double StepControl::changeAfter(double error) {
   double factor = 0;
   if (beta_ > 0) {
-    factor = safety_ * std::exp(lastTerm_ - exponent_ * std::log(error));
-    lastTerm_ = beta_ * std::log(std::max(error, kSmallestError));
+    factor = safety_ * std::exp(beta_ * std::log(std::max(lastError_, kSmallestError)) -
+                                exponent_ * std::log(error));
+    lastError_ = error;
   } else {
     factor = safety_ * std::pow(error, -exponent_);
   }

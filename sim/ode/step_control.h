@@ -2,11 +2,14 @@
 // Norsett, Wanner I, section II.4 (elementary: h_new = safety h err^(-1/5)) and the PI controller
 // of dopri5 (II, section IV.2, beta = 0.04); the 2014 thesis' control is the elementary one with an
 // absolute tolerance and no limits.
+// Scaled control keeps a step it would change by less than a few percent: where steps change all the time,
+// each has to wait for the error of the one before it, and a kept step is nearly as good.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "sim/ode/solver_settings.h"
 
@@ -39,7 +42,13 @@ class StepControl {
   }
 
   /// Ratio of the next step to the accepted one with error norm `error`.
-  double growAfter(double error);
+  double growAfter(double error) {
+    if (error > keepAbove_ && error <= keepUpTo_ && !rejected_) [[likely]] {
+      lastError_ = error;
+      return 1.0;
+    }
+    return changeAfter(error);
+  }
   /// The same where a step cut short by the end of the span was accepted: it teaches the controller
   /// nothing.
   [[nodiscard]] double growAfterCut(double error) const;
@@ -52,6 +61,8 @@ class StepControl {
   [[nodiscard]] bool startsWithWholeSpan() const { return thesis_; }
 
  private:
+  double changeAfter(double error);
+
   template <class State>
   [[nodiscard]] auto scale(const State& y0, const State& y1) const {
     return absolute_ + relative_ * y0.array().abs().max(y1.array().abs());
@@ -63,7 +74,9 @@ class StepControl {
   double exponent_ = 0.2, beta_ = 0;
   bool thesis_ = false;
   bool rejected_ = false;  ///< the last try was rejected
-  double lastTerm_ = 0;    ///< beta * log(error of the last accepted step)
+  double lastError_ = 0;   ///< of the last accepted step
+  // Errors between which the step is kept as it is; none where the first is infinite.
+  double keepAbove_ = std::numeric_limits<double>::infinity(), keepUpTo_ = 0;
 };
 
 }  // namespace rotorbench::ode

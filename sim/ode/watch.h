@@ -39,7 +39,8 @@ struct StepView {
 
 template <class State>
 struct Watch {
-  std::function<bool(const StepView<State>&)> onStep;  ///< may be empty; false stops the run
+  std::function<bool(const StepView<State>&)>
+      onStep;  ///< may be empty; false pauses the run after this step
   std::vector<Event<State>> events;
   std::function<void(const Occurrence<State>&)> onEvent;  ///< may be empty
   [[nodiscard]] bool wanted() const { return onStep || !events.empty(); }

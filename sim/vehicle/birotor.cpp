@@ -82,9 +82,19 @@ RigidBarBirotor::RigidBarBirotor(const RigidBarParameters& parameters)
     : p_(parameters),
       mass_(parameters.mass1 + parameters.mass2),
       thrust_(parameters.force1 + parameters.force2),
-      angularFriction_(
-          2 * parameters.friction * parameters.arm *
-          (parameters.angularDamping == BirotorDamping::Physical ? 1 : parameters.arm)) {}
+      angularFriction_(angularFriction(parameters, parameters.angularDamping)) {}
+
+double RigidBarBirotor::angularFriction(const RigidBarParameters& p, BirotorDamping damping) {
+  return 2 * p.friction * p.arm * (damping == BirotorDamping::Physical ? 1 : p.arm);
+}
+
+double RigidBarBirotor::angularVelocityAt(double t, BirotorDamping damping) const {
+  const double rate = angularFriction(p_, damping) / (p_.arm * mass_);
+  const double push = (p_.force2 - p_.force1) / (p_.arm * mass_);
+  // (1 - exp(-rate t)) / rate, which is t without friction.
+  const double held = rate * t > 0 ? -std::expm1(-rate * t) / rate : t;
+  return p_.angularVelocity * std::exp(-rate * t) + push * held;
+}
 
 RigidBarBirotor::State RigidBarBirotor::initialState() const {
   State y;

@@ -153,9 +153,14 @@ class RigidBarBirotor {
   [[nodiscard]] State initialState() const;
   /// Kinetic and potential energy, J.
   [[nodiscard]] double energy(const State& y) const;
+  /// Closed form of (2.27) with one of the two damping laws, whichever the parameters choose: the rotation is a linear
+  /// equation of its own. rad/s at time t in s from the start.
+  [[nodiscard]] double angularVelocityAt(double t, BirotorDamping damping) const;
   [[nodiscard]] const RigidBarParameters& parameters() const { return p_; }
 
  private:
+  [[nodiscard]] static double angularFriction(const RigidBarParameters& p, BirotorDamping damping);
+
   RigidBarParameters p_;
   double mass_, thrust_, angularFriction_;
 };

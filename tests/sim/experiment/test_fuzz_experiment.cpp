@@ -78,7 +78,10 @@ std::size_t simulate(Experiment experiment) {
   std::size_t rows = 0;
   try {
     const auto simulation = buildSimulation(experiment);
+    QElapsedTimer timer;
+    timer.start();
     for (int i = 0; i < 200 && simulation->advance(1) == SimulationState::Running; ++i) {
+      if (timer.elapsed() > 1000) break;
     }
     simulation->stop();
     simulation->metrics();

@@ -97,6 +97,29 @@ class WatchTest : public QObject {
     QVERIFY(watched.statistics().evaluations <= plain.statistics().evaluations + 1);
   }
 
+  void pausingDoesNotChangeTheRun_data() { methods(); }
+  void pausingDoesNotChangeTheRun() {
+    // A long run is cut in slices so that it can be stopped: neither the state nor the count may show it.
+    QFETCH(int, method);
+    const auto m = static_cast<Method>(method);
+    const SolverSettings s = isAdaptive(m) ? adaptive(m, 1e-7) : fixedStep(m, 0.0078125);
+    System system{oscillator};
+    Solver<System> whole(s, system);
+    Solver<System> sliced(s, system);
+    State a = kStart;
+    State b = kStart;
+    Watch<State> watch;
+    watch.onStep = [](const StepView<State>&) { return true; };
+    whole.integrate(7.0, a, watch);
+    int step = 0;
+    watch.onStep = [&](const StepView<State>&) { return ++step % 3 != 0; };
+    while (sliced.integrate(7.0, b, watch) == Status::Stopped) {
+    }
+    QVERIFY(step > 6);
+    QCOMPARE(b, a);
+    QCOMPARE(sliced.statistics().evaluations, whole.statistics().evaluations);
+  }
+
   void crossings_data() {
     QTest::addColumn<int>("direction");
     QTest::addColumn<QList<double>>("times");

@@ -15,6 +15,7 @@ class TestBirotor : public QObject {
   void springBarStartsAtRestLength();
   void rigidBarFollowsClosedForm_data();
   void rigidBarFollowsClosedForm();
+  void closedFormWithoutFriction();
   void rigidBarMovesSquareToTheBar();
   void bothModelsAgreeForAStiffBar();
   void defaultsAreValid();
@@ -83,6 +84,16 @@ void TestBirotor::rigidBarFollowsClosedForm() {
   const double angle = 5 + terminal * 60 + (2 - terminal) * tau * (1 - std::exp(-60 / tau));
   QVERIFY(std::abs(y[5] - rate) < 1e-9);
   QVERIFY(std::abs(y[4] - angle) < 1e-7);
+  QVERIFY(std::abs(plant.angularVelocityAt(60, p.angularDamping) - rate) < 1e-12);
+}
+
+void TestBirotor::closedFormWithoutFriction() {
+  RigidBarParameters p;
+  p.friction = 0;
+  const RigidBarBirotor plant(p);
+  QCOMPARE(plant.angularVelocityAt(3, BirotorDamping::Physical), 2 + 3 * 1.0 / (0.25 * 2));
+  p.friction = 1e-12;  // the limit is reached smoothly
+  QVERIFY(std::abs(RigidBarBirotor(p).angularVelocityAt(3, BirotorDamping::Physical) - 8) < 1e-10);
 }
 
 /// Equal forces, no rotation: constant thrust against linear drag, v = (2F/D)(1 - exp(-D t/M)) along the normal.
