@@ -15,7 +15,7 @@ bool Range::contains(double v) const {
 
 namespace {
 
-std::string withUnit(std::string number, std::string_view unit) {
+std::string withUnit(const std::string& number, std::string_view unit) {
   return unit == "1" || unit.empty() ? number : number + " " + std::string(unit);
 }
 

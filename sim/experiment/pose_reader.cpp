@@ -53,7 +53,7 @@ Eigen::Vector3d readPosition(const Recording& recording, const std::vector<std::
 }  // namespace
 
 PoseReader::PoseReader(const SceneModel& model, const Recording& recording)
-    : model_(&model), recording_(&recording) {
+    : recording_(&recording) {
   using Names2 = std::array<std::string, 2>;
   using Names3 = std::array<std::string, 3>;
   using Names4 = std::array<std::string, 4>;

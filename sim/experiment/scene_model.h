@@ -66,7 +66,6 @@ class PoseReader {
   [[nodiscard]] std::vector<Eigen::Vector3d> trail(double t0, double t1, std::size_t count) const;
 
  private:
-  const SceneModel* model_;
   const Recording* recording_;
   bool valid_ = false;
   bool planar_ = false;

@@ -25,8 +25,8 @@ std::string versionsRead(const DocumentFormat& format) {
 
 const JsonValue* member(const JsonValue::Object& object, std::string_view key) {
   const auto found = std::find_if(object.begin(), object.end(),
-                                  [&](const auto& entry) { return entry.first == key; });
-  return found == object.end() ? nullptr : &found->second;
+                                  [&](const auto& entry) { return entry.key == key; });
+  return found == object.end() ? nullptr : &found->value;
 }
 
 class DocumentReader {

@@ -147,7 +147,7 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
       return dropped_.back().get();
     }
     auto& object = std::get<JsonValue::Object>(level.container->value);
-    return &object.emplace_back(level.key, std::move(v)).second;
+    return &object.emplace_back(JsonMember{level.key, std::move(v)}).value;
   }
 
   [[nodiscard]] std::string path() const {

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -12,9 +11,11 @@
 
 namespace rotorbench {
 
+struct JsonMember;
+
 struct JsonValue {
   using Array = std::vector<JsonValue>;
-  using Object = std::vector<std::pair<std::string, JsonValue>>;  // in order of the file
+  using Object = std::vector<JsonMember>;  // in order of the file
   /// monostate is null. Whole numbers beyond 64 bits are doubles.
   std::variant<std::monostate, bool, std::int64_t, double, std::string, Array, Object> value;
 
@@ -23,6 +24,11 @@ struct JsonValue {
   [[nodiscard]] const std::string* text() const { return std::get_if<std::string>(&value); }
   /// The value in short for a message: "true", "2.5", "\"abc\"", "a list", "an object".
   [[nodiscard]] std::string shown() const;
+};
+
+struct JsonMember {
+  std::string key;
+  JsonValue value;
 };
 
 constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;

@@ -66,7 +66,7 @@ void ChartPane::setSpec(const ChartSpec& spec) {
   takeCurves();
 }
 
-void ChartPane::edit(ChartSpec spec) {
+void ChartPane::edit(const ChartSpec& spec) {
   if (spec == spec_) return;
   setSpec(spec);
   emit specChanged();

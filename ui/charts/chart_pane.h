@@ -86,7 +86,7 @@ class ChartPane : public QFrame {
   void buildMenu();
   void fillRemoveMenu();
   void updateIcons();
-  void edit(ChartSpec spec);
+  void edit(const ChartSpec& spec);
   void takeCurves();
   void updateHint();
   void updateReadouts();

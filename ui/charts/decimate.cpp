@@ -83,7 +83,7 @@ QList<QPointF> TimeTrace::update(const Recording& recording, const ColumnSummary
   const std::size_t begin = std::min(bounds.front(), rows);
   const std::size_t end = std::min(bounds.back(), rows);
   QList<QPointF> points;
-  points.reserve(static_cast<qsizetype>(2 * columns + 4));
+  points.reserve(2 * static_cast<qsizetype>(columns) + 4);
   if (begin > 0) addRow(recording, summary, begin - 1, points);
   if (end - begin <= 2 * columns) {
     for (std::size_t row = begin; row < end; ++row) addRow(recording, summary, row, points);

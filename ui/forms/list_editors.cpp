@@ -80,7 +80,8 @@ ListEditor::ListEditor(const FormContext& context, const schema::Field& field, Q
   });
   connect(tools_, &ListTools::moveClicked, this, [this](int by) {
     const int row = currentRow();
-    model().moveElement(path_, static_cast<std::size_t>(row), static_cast<std::size_t>(row + by));
+    const int to = row + by;
+    model().moveElement(path_, static_cast<std::size_t>(row), static_cast<std::size_t>(to));
     setCurrentRow(row + by);
   });
 }

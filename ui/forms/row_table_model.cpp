@@ -250,7 +250,8 @@ QString RowTableModel::paste(const QString& text, int row, int column) {
   const auto rows = splitTable(text, commaIsDecimal);
   if (rows.isEmpty()) return tr("There is no table on the clipboard.");
   const qsizetype headers = rows.size() > 1 && isHeader(rows.front(), column) ? 1 : 0;
-  const auto needed = static_cast<std::size_t>(row + static_cast<int>(rows.size() - headers));
+  const auto needed =
+      static_cast<std::size_t>(row) + static_cast<std::size_t>(rows.size() - headers);
   const Document scratch = context_.model->copy();
   const schema::Ref root{scratch.type, scratch.object.get()};
   const auto list = schema::locate(root, list_.toStdString());
