@@ -11,6 +11,10 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSettlingBand = 0.02;
 
+double worse(double a, double b) {
+  return std::isnan(a) || a < b ? b : a;
+}
+
 /// Time of the first row at which the response has covered `fraction` of the step.
 double firstCrossing(const Recording& recording, const StepWindow& w, double fraction) {
   const double size = w.after - w.before;
@@ -53,6 +57,32 @@ StepFigures stepFigures(const Recording& recording, const StepWindow& w) {
   figures.settlingTime =
       settledSince(recording, w, kSettlingBand * std::abs(size)) - recording.value(0, w.firstRow);
   return figures;
+}
+
+StepFigures worstFigures(const Recording& recording, std::size_t channel,
+                         const std::vector<SetPointChange>& changes) {
+  StepFigures worst{kNone, kNone, kNone, kNone};
+  if (recording.rows() == 0) return worst;
+  bool settled = true;
+  double before = recording.value(channel, 0);
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const double after = changes[i].value;
+    const std::size_t first = recording.lowerBound(changes[i].time);
+    const std::size_t end =
+        i + 1 < changes.size() ? recording.lowerBound(changes[i + 1].time) : recording.rows();
+    if (first >= end) break;
+    const StepFigures f = stepFigures(recording, {channel, first, end, before, after});
+    worst.restError = worse(worst.restError, f.restError);
+    if (std::abs(after - before) > 1e-9) {
+      worst.riseTime = worse(worst.riseTime, f.riseTime);
+      worst.overshoot = worse(worst.overshoot, f.overshoot);
+      worst.settlingTime = worse(worst.settlingTime, f.settlingTime);
+      settled = settled && !std::isnan(f.settlingTime);
+    }
+    before = after;
+  }
+  if (!settled) worst.settlingTime = kNone;
+  return worst;
 }
 
 }  // namespace rotorbench

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "sim/core/recording.h"
 
@@ -31,5 +32,16 @@ struct StepFigures {
 
 /// Needs at least two rows and before != after for the relative figures; restError exists with one row.
 StepFigures stepFigures(const Recording& recording, const StepWindow& window);
+
+/// The set-point takes a value at a time in s and keeps it until the next change.
+struct SetPointChange {
+  double time = 0;
+  double value = 0;
+};
+
+/// The worst of each figure over a timeline of set-points, from the channel's first value on. The settling time is NaN
+/// if one step never settled.
+StepFigures worstFigures(const Recording& recording, std::size_t channel,
+                         const std::vector<SetPointChange>& changes);
 
 }  // namespace rotorbench

@@ -12,12 +12,13 @@ namespace rotorbench {
 
 struct MotorSpeedParameters {
   double rate = 1000;  ///< Hz
-  PidParameters<PidUse::RotorSpeed> pid{.kp = 60,
-                                        .ki = 300,
-                                        .setPointWeight = 1,
-                                        .filterTime = 0.005,
-                                        .trackingTime = 0.05,
-                                        .limit = 1e5};
+  PidParameters<PidUse::RotorSpeed> pid{
+      .kp = 60,
+      .ki = 300,
+      .setPointWeight = 1,
+      .filterTime = 0.005,
+      .trackingTime = 0.2,  // kp/ki: leaves what P asks in vain alone
+      .limit = 1e5};
   bool feedForward = true;
   bool operator==(const MotorSpeedParameters&) const = default;
 };
@@ -48,6 +49,9 @@ class MotorSpeedController {
     pid_.accept(acceleration + (voltage - wanted) / voltsPerAcceleration_);
     return voltage;
   }
+
+  /// Integral part of the demand, rad/s^2.
+  [[nodiscard]] double integral() const { return pid_.integral(); }
 
  private:
   Pid pid_;

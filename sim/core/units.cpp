@@ -129,6 +129,8 @@ constexpr std::array kUnits{
     Unit{"N*m/rpm", "N*m*s", 1 / kRpm},
     Unit{"N*m/rad", "N*m/rad", 1},
     Unit{"N*m/deg", "N*m/rad", 1 / kDegree},
+    Unit{"N/W", "N/W", 1},
+    Unit{"gf/W", "N/W", kGravity / 1000},
     Unit{"N/m", "N/m", 1},
     Unit{"N/mm", "N/m", 1000},
     Unit{"N*s/m", "N*s/m", 1},

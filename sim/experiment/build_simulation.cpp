@@ -14,6 +14,14 @@ std::unique_ptr<Simulation> build(const SolverComparison& comparison, const Expe
                                   const std::filesystem::path& /*directory*/) {
   return buildSolverComparison(comparison, e.outputs);
 }
+std::unique_ptr<Simulation> build(const MotorBench& bench, const Experiment& e,
+                                  const std::filesystem::path& /*directory*/) {
+  return buildMotorBench(bench, e.outputs);
+}
+std::unique_ptr<Simulation> build(const MotorSpeedRun& run, const Experiment& e,
+                                  const std::filesystem::path& /*directory*/) {
+  return buildMotorSpeedRun(run, e.outputs);
+}
 std::unique_ptr<Simulation> build(const BirotorMotion& motion, const Experiment& e,
                                   const std::filesystem::path& /*directory*/) {
   return buildBirotorMotion(motion, e.outputs);

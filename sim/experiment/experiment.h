@@ -12,6 +12,8 @@
 #include "sim/experiment/birotor_motion.h"
 #include "sim/experiment/chart_spec.h"
 #include "sim/experiment/flight.h"
+#include "sim/experiment/motor_bench.h"
+#include "sim/experiment/motor_speed_run.h"
 #include "sim/experiment/solver_comparison.h"
 
 namespace rotorbench {
@@ -29,7 +31,7 @@ struct Experiment {
   std::string title = "New experiment";
   std::string summary;  ///< one line, shown on the gallery card
   std::string notes;    ///< as long as the user likes
-  std::variant<Flight, SolverComparison, BirotorMotion> setup;
+  std::variant<Flight, MotorBench, MotorSpeedRun, SolverComparison, BirotorMotion> setup;
   OutputSettings outputs;
   std::uint64_t seed = 1;
   bool operator==(const Experiment&) const = default;

@@ -1,8 +1,6 @@
 #include "sim/experiment/pid_pilot.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 
 #include "sim/analysis/step_response.h"
 #include "sim/experiment/flight_simulation.h"
@@ -32,10 +30,6 @@ constexpr Axis kAxes[] = {{"altitude", "position.z", "m", &SetPointRow::height},
                           {"pitch", "attitude.pitch", "rad", &SetPointRow::pitch},
                           {"yaw", "attitude.yaw", "rad", &SetPointRow::yaw}};
 
-double worse(double a, double b) {
-  return std::isnan(a) || a < b ? b : a;
-}
-
 }  // namespace
 
 PidPilot::PidPilot(const PidControl& control, const ControlModel<kRotors>& planned, double tick)
@@ -56,39 +50,22 @@ std::vector<Channel> PidPilot::channels() const {
 }
 
 void PidPilot::figures(const Recording& recording, std::vector<Metric>& metrics) const {
-  const std::size_t rows = recording.rows();
-  if (rows == 0) return;
+  if (recording.rows() == 0) return;
   for (const Axis& axis : kAxes) {
     const auto channel = recording.find(axis.channel);
     if (!channel) continue;
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    double overshoot = kNone, settling = kNone, rest = kNone;
-    bool settled = true;
-    double before = recording.value(*channel, 0);
-    for (std::size_t i = 0; i < rows_.size(); ++i) {
-      const double after = rows_[i].*axis.setPoint;
-      const bool last = i + 1 == rows_.size();
-      const std::size_t first = recording.lowerBound(rows_[i].time);
-      const std::size_t end = last ? rows : recording.lowerBound(rows_[i + 1].time);
-      if (first >= end) break;
-      const StepFigures f = stepFigures(recording, {*channel, first, end, before, after});
-      rest = worse(rest, f.restError);
-      if (std::abs(after - before) > 1e-9) {
-        overshoot = worse(overshoot, f.overshoot);
-        settled = settled && !std::isnan(f.settlingTime);
-        settling = worse(settling, f.settlingTime);
-      }
-      before = after;
-    }
+    std::vector<SetPointChange> changes;
+    for (const SetPointRow& row : rows_) changes.push_back({row.time, row.*axis.setPoint});
+    const StepFigures worst = worstFigures(recording, *channel, changes);
     const std::string name = axis.name;
     metrics.push_back(
         {name + "_rest_error", axis.unit,
          "Largest distance from the set-point in the last tenth of any part of the timeline",
-         rest});
+         worst.restError});
     metrics.push_back({name + "_overshoot", "1",
-                       "Largest overshoot of a step, as a fraction of the step", overshoot});
+                       "Largest overshoot of a step, as a fraction of the step", worst.overshoot});
     metrics.push_back({name + "_settling_time", "s", "Longest time to stay within 2 % of a step",
-                       settled ? settling : kNone});
+                       worst.settlingTime});
   }
 }
 

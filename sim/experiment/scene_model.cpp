@@ -74,6 +74,13 @@ std::optional<SceneModel> modelOf(const BirotorModel& plant) {
 std::optional<SceneModel> modelOf(const SolverComparison& comparison) {
   return modelOf(comparison.plant);
 }
+/// A motor on its stand: nothing that flies.
+std::optional<SceneModel> modelOf(const MotorBench& /*bench*/) {
+  return std::nullopt;
+}
+std::optional<SceneModel> modelOf(const MotorSpeedRun& /*run*/) {
+  return std::nullopt;
+}
 std::optional<SceneModel> modelOf(const BirotorMotion& motion) {
   return modelOf(motion.plant);
 }

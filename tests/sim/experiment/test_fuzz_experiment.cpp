@@ -44,9 +44,15 @@ struct Shorten {
     motion.duration = 4.5 * motion.sampleInterval;
     limit(motion.solver);
   }
+  void operator()(MotorBench& bench) const { limit(bench.run); }
+  void operator()(MotorSpeedRun& run) const { limit(run.run); }
   void operator()(SolverComparison& comparison) const {
     comparison.duration = 4.5 * comparison.sampleInterval;
     comparison.referenceStep = std::max(comparison.referenceStep, comparison.duration / 1000);
+  }
+  static void limit(DriveRunSettings& run) {
+    run.duration = 4.5 * run.tick;
+    limit(run.solver);
   }
   static void limit(ode::SolverSettings& solver) {
     solver.maximumSteps = std::min<std::int64_t>(solver.maximumSteps, 2000);
@@ -64,7 +70,8 @@ void checkProblems(const InputError& error, const std::string& source) {
 }
 
 void checkRoundTrip(const Experiment& experiment, const std::string& text) {
-  QVERIFY2(schema::validate(schema::ref(experiment)).empty(), text.c_str());
+  for (const Problem& problem : schema::validate(schema::ref(experiment)))
+    QVERIFY2(problem.warning, text.c_str());
   const std::string written = writeExperiment(experiment);
   const Experiment again = readExperiment(written, "again.json");
   QVERIFY2(again == experiment, text.c_str());

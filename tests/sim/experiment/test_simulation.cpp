@@ -92,7 +92,15 @@ void TestSimulation::progressRisesToOne_data() {
 void TestSimulation::progressRisesToOne() {
   QFETCH(QString, file);
   Experiment experiment = shipped(qPrintable(file));
-  std::visit([](auto& setup) { setup.duration = std::min(setup.duration, 2.0); }, experiment.setup);
+  std::visit(
+      [](auto& setup) {
+        if constexpr (requires { setup.run.duration; }) {
+          setup.run.duration = std::min(setup.run.duration, 2.0);
+        } else {
+          setup.duration = std::min(setup.duration, 2.0);
+        }
+      },
+      experiment.setup);
   runAll(*buildSimulation(experiment), 17);
 }
 

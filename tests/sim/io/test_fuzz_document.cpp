@@ -22,7 +22,7 @@ std::size_t countLeaves(const JsonValue& json) {
   if (const auto* array = json.array()) {
     for (const auto& item : *array) count += countLeaves(item);
   } else if (const auto* object = json.object()) {
-    for (const auto& entry : *object) count += countLeaves(entry.second);
+    for (const auto& entry : *object) count += countLeaves(entry.value);
   } else {
     count = 1;
   }

@@ -1,0 +1,181 @@
+#include "sim/experiment/drive_stand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "sim/core/number_text.h"
+
+namespace rotorbench {
+
+namespace {
+
+struct LoadOf {
+  ShaftLoad operator()(const FreeShaft& /*load*/) const { return {}; }
+  ShaftLoad operator()(const BrakeLoad& load) const { return {.constant = load.torque}; }
+  ShaftLoad operator()(const PropellerLoad& p) const {
+    // n = w/(2 pi): T = CT rho D^4 n^2, Q = P/w = CP rho D^5 n^2/(2 pi).
+    const double turns = 1 / (2 * std::numbers::pi);
+    const double square = p.airDensity * std::pow(p.diameter, 4) * turns * turns;
+    return {.quadratic = p.powerCoefficient * square * p.diameter * turns,
+            .thrust = p.thrustCoefficient * square};
+  }
+};
+
+/// Where the region of absolute stability meets the negative real axis, h |pole|; 0 for methods that choose their
+/// step. Hairer, Wanner, Solving ODEs II, IV.2 (Runge-Kutta) and V.1 (Adams PECE).
+double stabilityLimit(ode::Method method) {
+  switch (method) {
+    case ode::Method::Euler:
+      return 2.0;
+    case ode::Method::Rk4:
+      return 2.785;
+    case ode::Method::Abm4:
+      return 1.25;
+    default:
+      return 0;
+  }
+}
+
+}  // namespace
+
+DriveTrain buildDriveTrain(const DriveStand& stand) {
+  return DriveTrain({.supply = stand.supply,
+                     .esc = stand.esc,
+                     .motor = stand.motor,
+                     .load = std::visit(LoadOf{}, stand.load),
+                     .inertia = stand.inertia,
+                     .quasiStaticCurrent = stand.quasiStaticCurrent});
+}
+
+std::vector<Channel> driveChannels() {
+  return {{"time", "s", "Simulated time"},
+          {"throttle", "1", "Throttle asked of the speed controller"},
+          {"esc.duty", "1", "Share of the supply's voltage put on the motor"},
+          {"supply.voltage", "V", "Voltage of the supply under load"},
+          {"supply.current", "A", "Current drawn from the supply"},
+          {"supply.charge", "1", "State of charge of the battery"},
+          {"motor.voltage", "V", "Voltage at the motor's terminals"},
+          {"motor.current", "A", "Current of the motor"},
+          {"motor.speed", "rad/s", "Angular speed"},
+          {"motor.torque", "N*m", "Torque of the load on the shaft"},
+          {"thrust", "N", "Thrust of the propeller"},
+          {"power.electrical", "W", "Power drawn from the supply"},
+          {"power.shaft", "W", "Power delivered to the load"},
+          {"efficiency", "1", "Shaft power over electrical power"},
+          {"power.residual", "W", "What the energy ledger leaves over: rounding"}};
+}
+
+void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, double* out) {
+  const DriveInstant<double> at = train.instant(y);
+  const DrivePowers powers = train.powers(y);
+  const double w = y[DriveTrain::kSpeed];
+  const double electrical = at.busVoltage * at.busCurrent;
+  const double values[] = {
+      time,
+      train.throttle(),
+      at.duty,
+      at.busVoltage,
+      at.busCurrent,
+      y[DriveTrain::kCharge],
+      at.motorVoltage,
+      at.current,
+      w,
+      train.load().torque(w),
+      train.load().thrust * w * w,
+      electrical,
+      powers.load,
+      electrical > 0 && powers.load >= 0 ? std::min(powers.load / electrical, 1.0) : 0.0,
+      powers.residual()};
+  std::copy(std::begin(values), std::end(values), out);
+}
+
+void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
+                        std::vector<Problem>& problems) {
+  const double limit = stabilityLimit(solver.method);
+  if (!(limit > 0)) return;
+  const DriveTrain train = buildDriveTrain(stand);
+  const double top = train.steadySpeed(train.supply().openCircuit(1.0));
+  const double pole = std::max(train.fastestPole(0), train.fastestPole(top));
+  const double step = std::min(solver.step, tick);
+  if (step * pole <= limit) return;
+  problems.push_back({"run.solver.step",
+                      "the motor's fastest pole, " + numberText(std::round(pole)) + " 1/s, makes " +
+                          std::string(ode::name(solver.method)) + " unstable at this step",
+                      "at most " + numberText(std::floor(limit / pole * 1e8) * 1e-2) +
+                          " us, or quasi-static current",
+                      true});
+}
+
+void Describe<FreeShaft>::fields(schema::Builder<FreeShaft>& b) {
+  b.title("free", "Free shaft", "Nothing but the inertia.");
+}
+
+void Describe<BrakeLoad>::fields(schema::Builder<BrakeLoad>& b) {
+  b.title("brake", "Brake", "A constant torque against the rotation.");
+  b.number("torque", &BrakeLoad::torque, "Torque", "Q", "N*m")
+      .range(schema::atLeast(0), schema::upTo(1e4));
+}
+
+void Describe<PropellerLoad>::fields(schema::Builder<PropellerLoad>& b) {
+  using P = PropellerLoad;
+  const char* source = "JSBSim aircraft F450, engine/DJI_9450.xml";
+  b.title(
+      "propeller", "Propeller at rest",
+      "A propeller in still air: T = CT rho n^2 D^4, P = CP rho n^3 D^5, n in turns per second.");
+  b.number("thrustCoefficient", &P::thrustCoefficient, "Thrust coefficient", "C_T", "1")
+      .range(schema::atLeast(0), schema::upTo(1))
+      .source(source);
+  b.number("powerCoefficient", &P::powerCoefficient, "Power coefficient", "C_P", "1")
+      .range(schema::atLeast(0), schema::upTo(1))
+      .source(source);
+  b.number("diameter", &P::diameter, "Diameter", "D", "m")
+      .range(schema::above(0), schema::upTo(20))
+      .shownIn("in")
+      .source(source);
+  b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
+      .range(schema::atLeast(0), schema::upTo(10))
+      .source("International standard atmosphere at sea level");
+}
+
+void Describe<DriveStand>::fields(schema::Builder<DriveStand>& b) {
+  using P = DriveStand;
+  b.title("drive-stand", "Drive on a stand",
+          "Supply, speed controller, motor and load as they are coupled in a vehicle.",
+          "Thesis 2014, figure 3.11");
+  b.variant("supply", &P::supply, "Supply");
+  b.group("esc", &P::esc, "Speed controller (ESC)");
+  b.group("motor", &P::motor, "Motor");
+  b.variant("load", &P::load, "Load");
+  b.number("inertia", &P::inertia, "Inertia", "J", "kg*m^2")
+      .range(schema::above(0), schema::upTo(1e3))
+      .help("Of all that spins: rotor of the motor and propeller.")
+      .source("JSBSim aircraft F450, engine/DJI_9450.xml: propeller");
+  b.boolean("quasiStaticCurrent", &P::quasiStaticCurrent, "Quasi-static current")
+      .help(
+          "Takes the inductance as zero: the current follows at once. Exact in the steady state, "
+          "late by L/R "
+          "otherwise; allows steps far above L/R.")
+      .advanced();
+}
+
+void Describe<DriveRunSettings>::fields(schema::Builder<DriveRunSettings>& b) {
+  using P = DriveRunSettings;
+  b.title("drive-run", "Run", "How long and how finely.");
+  b.group("solver", &P::solver, "Solver");
+  b.number("tick", &P::tick, "Tick", "", "s")
+      .range(schema::atLeast(1e-6), schema::upTo(1))
+      .shownIn("ms")
+      .help("The throttle is held for this long, and the solver ends a step at its end.");
+  b.number("duration", &P::duration, "Duration", "T", "s")
+      .range(schema::above(0), schema::upTo(36000));
+  b.check([](const P& p, std::vector<Problem>& problems) {
+    if (p.tick > p.duration)
+      problems.push_back({"tick", "is longer than the run", "at most the duration"});
+    if (p.solver.method == ode::Method::ExponentialRk4)
+      problems.push_back({"solver.method", "Exponential RK4 is made for the motors of a vehicle",
+                          "choose another method, or quasi-static current"});
+  });
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,208 @@
+#include "sim/experiment/motor_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "sim/experiment/drive_simulation.h"
+
+namespace rotorbench {
+
+namespace {
+
+/// Points of the characteristic curves.
+constexpr int kCurvePoints = 201;
+
+double largest(const Recording& recording, const char* name) {
+  const auto column = recording.find(name);
+  double most = 0;
+  for (std::size_t row = 0; column && row < recording.rows(); ++row)
+    most = std::max(most, std::abs(recording.value(*column, row)));
+  return most;
+}
+
+class ThrottleCommander {
+ public:
+  explicit ThrottleCommander(const MotorBench& bench) {
+    std::vector<InputSignal::Sample> samples;
+    for (const ThrottleStep& step : bench.throttle)
+      samples.push_back({step.time, Eigen::Vector4d::Constant(step.throttle)});
+    signal_ = InputSignal(std::move(samples), bench.interpolation);
+  }
+  double throttle(double t, const DriveTrain& /*train*/, const DriveTrain::State& /*y*/) {
+    return signal_.at(t)[0];
+  }
+  [[nodiscard]] static std::vector<Channel> channels() { return {}; }
+  static void row(double* /*out*/) {}
+  static void figures(const Recording& r, const DriveTrain& train, std::vector<Metric>& metrics) {
+    if (r.rows() == 0) return;
+    const auto last = [&](const char* name) { return r.value(*r.find(name), r.rows() - 1); };
+    metrics = {
+        {"final_speed", "rad/s", "Angular speed at the end", last("motor.speed")},
+        {"final_current", "A", "Motor current at the end", last("motor.current")},
+        {"final_thrust", "N", "Thrust at the end", last("thrust")},
+        {"final_voltage", "V", "Voltage of the supply at the end", last("supply.voltage")},
+        {"final_electrical_power", "W", "Power drawn at the end", last("power.electrical")},
+        {"final_efficiency", "1", "Shaft power over electrical power at the end",
+         last("efficiency")},
+        {"peak_current", "A", "Largest motor current", largest(r, "motor.current")},
+        {"peak_ledger_residual", "W", "Largest amount the energy ledger does not account for",
+         largest(r, "power.residual")}};
+    addMotorFigures(train, metrics);
+  }
+
+ private:
+  /// What a data sheet would say of this motor at the full voltage of the supply.
+  static void addMotorFigures(const DriveTrain& train, std::vector<Metric>& metrics) {
+    const MotorConstants& motor = train.motor();
+    const double v = train.supply().openCircuit(train.supply().charge);
+    const double stall = v / motor.resistance;
+    metrics.push_back(
+        {"stall_current", "A", "Held at rest with the full voltage, without a limit", stall});
+    metrics.push_back({"stall_torque", "N*m", "Torque of the stalled motor",
+                       motor.torqueConstant * stall - motor.dryFriction});
+    metrics.push_back(
+        {"mechanical_time_constant", "s", "J R/K^2: how fast the unloaded motor takes up speed",
+         train.inertia() * motor.resistance / (motor.torqueConstant * motor.torqueConstant)});
+    metrics.push_back({"electrical_time_constant", "s", "L/R: how fast the current follows",
+                       motor.inductance / motor.resistance});
+  }
+
+  InputSignal signal_;
+};
+
+class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
+ public:
+  MotorBenchSimulation(const MotorBench& bench, const OutputSettings& outputs)
+      : DriveSimulation(bench.stand, bench.run, outputs, ThrottleCommander(bench), kRuns) {
+    overSpeed(outputs);
+    overVoltage(outputs);
+    overThrottle(outputs);
+  }
+
+ private:
+  static constexpr std::size_t kRuns = 4;
+
+  /// Thesis 2014, figures 3.16-3.17: torque, power and efficiency against speed at the full voltage.
+  void overSpeed(const OutputSettings& outputs) {
+    Recording& r = addRun("Over speed",
+                          {{"motor.speed", "rad/s", "Angular speed, held by a brake"},
+                           {"motor.current", "A", "Current at the full voltage of the supply"},
+                           {"motor.torque", "N*m", "Torque on the shaft"},
+                           {"power.electrical", "W", "Electrical power of the motor"},
+                           {"power.shaft", "W", "Power on the shaft"},
+                           {"efficiency", "1", "Shaft power over electrical power"}},
+                          outputs, kRuns);
+    const MotorConstants& m = train().motor();
+    const double v = train().supply().openCircuit(train().supply().charge);
+    const double top = noLoadSpeed(m, v);
+    for (int k = 0; k < kCurvePoints; ++k) {
+      const double w = top * k / (kCurvePoints - 1);
+      const double i = (v - m.torqueConstant * w) / m.resistance;
+      const double torque = m.torqueConstant * i - m.friction(w);
+      r.append(std::array{w, i, torque, v * i, torque * w, v * i > 0 ? torque * w / (v * i) : 0});
+    }
+    r.finish();
+  }
+
+  /// Thesis 2014, figure 3.18: speed and torque against voltage, with the load of the stand.
+  void overVoltage(const OutputSettings& outputs) {
+    Recording& r = addRun("Over voltage",
+                          {{"motor.voltage", "V", "Voltage at the motor"},
+                           {"motor.speed", "rad/s", "Speed it holds with the load"},
+                           {"motor.torque", "N*m", "Torque of the load"},
+                           {"motor.current", "A", "Current"}},
+                          outputs, kRuns);
+    const double full = train().supply().openCircuit(train().supply().charge);
+    for (int k = 0; k < kCurvePoints; ++k) {
+      const double v = full * k / (kCurvePoints - 1);
+      const double w = train().steadySpeed(v);
+      const double i = (v - train().motor().torqueConstant * w) / train().motor().resistance;
+      r.append(std::array{v, w, train().load().torque(w), i});
+    }
+    r.finish();
+  }
+
+  /// The thrust stand's curve: steady points, solved directly.
+  void overThrottle(const OutputSettings& outputs) {
+    Recording& r = addRun("Over throttle",
+                          {{"throttle", "1", "Throttle"},
+                           {"motor.speed", "rad/s", "Angular speed"},
+                           {"thrust", "N", "Thrust"},
+                           {"supply.voltage", "V", "Voltage of the supply under load"},
+                           {"supply.current", "A", "Current drawn from the supply"},
+                           {"motor.current", "A", "Current of the motor"},
+                           {"power.electrical", "W", "Power drawn from the supply"},
+                           {"power.shaft", "W", "Power delivered to the load"},
+                           {"efficiency", "1", "Shaft power over electrical power"},
+                           {"thrust_per_power", "N/W", "Thrust over electrical power"}},
+                          outputs, kRuns);
+    for (int k = 0; k < kCurvePoints; ++k) {
+      const double throttle = static_cast<double>(k) / (kCurvePoints - 1);
+      const auto y = train().steadyState(throttle, train().supply().charge, 0);
+      const auto at = train().instant(y);
+      const double w = y[DriveTrain::kSpeed], thrust = train().load().thrust * w * w;
+      const double electrical = at.busVoltage * at.busCurrent, shaft = train().load().torque(w) * w;
+      r.append(std::array{throttle, w, thrust, at.busVoltage, at.busCurrent, at.current, electrical,
+                          shaft, electrical > 0 ? shaft / electrical : 0,
+                          electrical > 0 ? thrust / electrical : 0});
+    }
+    r.finish();
+  }
+
+  /// Where the motor alone, without the load of the stand, settles.
+  static double noLoadSpeed(const MotorConstants& m, double v) {
+    double low = 0, high = v / m.torqueConstant;
+    for (int k = 0; k < 100; ++k) {
+      const double w = 0.5 * (low + high);
+      const double surplus =
+          m.torqueConstant * (v - m.torqueConstant * w) / m.resistance - m.friction(w);
+      (surplus > 0 ? low : high) = w;
+    }
+    return low;
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> buildMotorBench(const MotorBench& bench,
+                                            const OutputSettings& outputs) {
+  return std::make_unique<MotorBenchSimulation>(bench, outputs);
+}
+
+void Describe<ThrottleStep>::fields(schema::Builder<ThrottleStep>& b) {
+  b.title("step", "Step", "Throttle from one instant on.");
+  b.number("time", &ThrottleStep::time, "Time", "t", "s")
+      .range(schema::atLeast(0), schema::upTo(1e6));
+  b.number("throttle", &ThrottleStep::throttle, "Throttle", "u", "1")
+      .range(schema::atLeast(-1), schema::upTo(1))
+      .shownIn("%");
+}
+
+void Describe<MotorBench>::fields(schema::Builder<MotorBench>& b) {
+  b.title("motor-bench", "Motor bench",
+          "A motor with its supply, speed controller and load: throttle steps or ramps over time, "
+          "and the "
+          "characteristic curves over speed, voltage and throttle.",
+          "Thesis 2014, figures 3.14-3.18");
+  b.group("stand", &MotorBench::stand, "Drive");
+  b.list("throttle", &MotorBench::throttle, "Throttle")
+      .items(1, 100000)
+      .table()
+      .help(
+          "Times must rise from row to row. Negative throttle needs a reversible speed "
+          "controller.");
+  b.choice("interpolation", &MotorBench::interpolation, "Between the rows",
+           detail::interpolations());
+  b.group("run", &MotorBench::run, "Run");
+  b.check([](const MotorBench& m, std::vector<Problem>& problems) {
+    for (std::size_t i = 1; i < m.throttle.size(); ++i) {
+      if (m.throttle[i].time <= m.throttle[i - 1].time)
+        problems.push_back({"throttle[" + std::to_string(i) + "].time",
+                            "is not later than the row before", "times must rise from row to row"});
+    }
+    warnOfUnstableStep(m.stand, m.run.solver, m.run.tick, problems);
+  });
+}
+
+}  // namespace rotorbench

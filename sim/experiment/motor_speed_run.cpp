@@ -1,0 +1,120 @@
+#include "sim/experiment/motor_speed_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/analysis/step_response.h"
+#include "sim/experiment/drive_simulation.h"
+
+namespace rotorbench {
+
+namespace {
+
+/// The speed controller wants volts at the motor; the throttle that gives them follows from the measured bus voltage
+/// and the current, as the voltage lost in the speed controller is known too.
+class SpeedCommander {
+ public:
+  SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train)
+      : steps_(run.setPoints),
+        controller_(run.controller, motorSeen(run, train), train.inertia(), train.load().quadratic),
+        every_(ticksBetween(run.controller.rate, run.run.tick, "setup.controller.rate")) {}
+
+  double throttle(double t, const DriveTrain& train, const DriveTrain::State& y) {
+    if (calls_++ % every_ != 0) return train.throttle();
+    while (next_ < steps_.size() && steps_[next_].time <= t + 1e-9)
+      setPoint_ = steps_[next_++].speed;
+    const double bus = train.instant(y).busVoltage;
+    voltage_ = controller_.update(setPoint_, y[DriveTrain::kSpeed], bus);
+    return voltage_ / bus;
+  }
+  [[nodiscard]] static std::vector<Channel> channels() {
+    return {{"setpoint.speed", "rad/s", "Angular speed wanted"},
+            {"controller.voltage", "V", "Control signal: voltage asked for"},
+            {"controller.integral", "rad/s^2", "Integral part of the controller"}};
+  }
+  void row(double* out) const {
+    out[0] = setPoint_;
+    out[1] = voltage_;
+    out[2] = controller_.integral();
+  }
+  void figures(const Recording& r, const DriveTrain& train, std::vector<Metric>& metrics) const {
+    if (r.rows() == 0) return;
+    std::vector<SetPointChange> changes;
+    for (const SpeedStep& step : steps_) changes.push_back({step.time, step.speed});
+    const StepFigures worst = worstFigures(r, *r.find("motor.speed"), changes);
+    const std::size_t current = *r.find("motor.current");
+    double peak = 0;
+    for (std::size_t row = 0; row < r.rows(); ++row)
+      peak = std::max(peak, std::abs(r.value(current, row)));
+    metrics = {
+        {"overshoot", "1", "Largest overshoot of a step, as a fraction of the step",
+         worst.overshoot},
+        {"rise_time", "s", "Longest time from 10 to 90 % of a step", worst.riseTime},
+        {"settling_time", "s", "Longest time to stay within 2 % of a step", worst.settlingTime},
+        {"rest_error", "rad/s",
+         "Largest distance from the set-point in the last tenth of any part of the timeline",
+         worst.restError},
+        {"peak_current", "A", "Largest motor current", peak},
+        {"current_limit", "A", "Limit of motor and speed controller", train.maxCurrent()}};
+  }
+
+ private:
+  /// The motor with the resistance of the speed controller in its path and the lower of the two limits.
+  static MotorConstants motorSeen(const MotorSpeedRun& run, const DriveTrain& train) {
+    MotorConstants motor = train.motor();
+    motor.resistance += run.stand.esc.resistance;
+    motor.maxCurrent = train.maxCurrent();
+    return motor;
+  }
+
+  std::vector<SpeedStep> steps_;
+  MotorSpeedController controller_;
+  int every_;
+  std::int64_t calls_ = 0;
+  std::size_t next_ = 0;
+  double setPoint_ = 0, voltage_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> buildMotorSpeedRun(const MotorSpeedRun& run,
+                                               const OutputSettings& outputs) {
+  return std::make_unique<DriveSimulation<SpeedCommander>>(
+      run.stand, run.run, outputs, SpeedCommander(run, buildDriveTrain(run.stand)));
+}
+
+void Describe<SpeedStep>::fields(schema::Builder<SpeedStep>& b) {
+  b.title("step", "Step", "Set-point from one instant on.");
+  b.number("time", &SpeedStep::time, "Time", "t", "s").range(schema::atLeast(0), schema::upTo(1e6));
+  b.number("speed", &SpeedStep::speed, "Speed", "\u03a9", "rad/s")
+      .range(schema::atLeast(0), schema::upTo(1e5))
+      .shownIn("rpm");
+}
+
+void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
+  b.title("motor-speed-control", "Motor speed control",
+          "A speed controller keeps a motor at its set-point, within the limits of voltage and "
+          "current.",
+          "Thesis 2014, experiment 5, figures 4.7-4.9");
+  b.group("stand", &MotorSpeedRun::stand, "Drive");
+  b.group("controller", &MotorSpeedRun::controller, "Speed controller");
+  b.list("setPoints", &MotorSpeedRun::setPoints, "Set-points")
+      .items(1, 100000)
+      .table()
+      .help("Times must rise from row to row.");
+  b.group("run", &MotorSpeedRun::run, "Run");
+  b.check([](const MotorSpeedRun& m, std::vector<Problem>& problems) {
+    for (std::size_t i = 1; i < m.setPoints.size(); ++i) {
+      if (m.setPoints[i].time <= m.setPoints[i - 1].time)
+        problems.push_back({"setPoints[" + std::to_string(i) + "].time",
+                            "is not later than the row before", "times must rise from row to row"});
+    }
+    if (m.stand.esc.responseTime > 0.5 / m.controller.rate * 20)
+      problems.push_back({"stand.esc.responseTime",
+                          "is longer than ten updates of the controller, which does not know of it",
+                          "expect overshoot, or shorten it", true});
+    warnOfUnstableStep(m.stand, m.run.solver, m.run.tick, problems);
+  });
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,33 @@
+#include "sim/propulsion/esc.h"
+
+namespace rotorbench {
+
+void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
+  using P = EscParameters;
+  using namespace schema;
+  b.title(
+      "esc", "Speed controller (ESC)",
+      "An averaged converter: v = duty * V - R i at the motor, duty * i from the supply, and no "
+      "losses but those of its resistance.",
+      "R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3");
+  b.number("resistance", &P::resistance, "Resistance", "R_esc", "Ohm")
+      .range(atLeast(0), upTo(10))
+      .shownIn("mOhm")
+      .help("Of the switches that carry the motor's current.")
+      .source("Assumption: two switches of a few milliohm each");
+  b.number("responseTime", &P::responseTime, "Response time", "T_esc", "s")
+      .range(atLeast(0), upTo(10))
+      .shownIn("ms")
+      .help("The duty follows the throttle with this lag; 0 for none.")
+      .source("Assumption: ramps of common firmware are of this order");
+  b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
+      .range(above(0), upTo(1e5))
+      .help("Kept by limiting the voltage to the band of R i_max around the back-EMF.")
+      .source("The continuous rating of a 30 A controller");
+  b.boolean("reverse", &P::reverse, "Reversible")
+      .help("Negative throttle turns the motor backwards.");
+  b.boolean("activeBraking", &P::activeBraking, "Active braking")
+      .help("Without it the motor is never slowed electrically, and no current flows back.");
+}
+
+}  // namespace rotorbench
