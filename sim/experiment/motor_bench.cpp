@@ -86,12 +86,12 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
   /// Thesis 2014, figures 3.16-3.17: torque, power and efficiency against speed at the full voltage.
   void overSpeed(const OutputSettings& outputs) {
     Recording& r = addRun("Over speed",
-                          {{"motor.speed", "rad/s", "Angular speed, held by a brake"},
-                           {"motor.current", "A", "Current at the full voltage of the supply"},
-                           {"motor.torque", "N*m", "Torque on the shaft"},
-                           {"power.electrical", "W", "Electrical power of the motor"},
-                           {"power.shaft", "W", "Power on the shaft"},
-                           {"efficiency", "1", "Shaft power over electrical power"}},
+                          {{"over_speed.speed", "rad/s", "Angular speed, held by a brake"},
+                           {"over_speed.current", "A", "Current at the full voltage of the supply"},
+                           {"over_speed.torque", "N*m", "Torque on the shaft"},
+                           {"over_speed.electrical_power", "W", "Electrical power of the motor"},
+                           {"over_speed.shaft_power", "W", "Power on the shaft"},
+                           {"over_speed.efficiency", "1", "Shaft power over electrical power"}},
                           outputs, kRuns);
     const MotorConstants& m = train().motor();
     const double v = train().supply().openCircuit(train().supply().charge);
@@ -108,10 +108,10 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
   /// Thesis 2014, figure 3.18: speed and torque against voltage, with the load of the stand.
   void overVoltage(const OutputSettings& outputs) {
     Recording& r = addRun("Over voltage",
-                          {{"motor.voltage", "V", "Voltage at the motor"},
-                           {"motor.speed", "rad/s", "Speed it holds with the load"},
-                           {"motor.torque", "N*m", "Torque of the load"},
-                           {"motor.current", "A", "Current"}},
+                          {{"over_voltage.voltage", "V", "Voltage at the motor"},
+                           {"over_voltage.speed", "rad/s", "Speed it holds with the load"},
+                           {"over_voltage.torque", "N*m", "Torque of the load"},
+                           {"over_voltage.current", "A", "Current"}},
                           outputs, kRuns);
     const double full = train().supply().openCircuit(train().supply().charge);
     for (int k = 0; k < kCurvePoints; ++k) {
@@ -125,18 +125,19 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
 
   /// The thrust stand's curve: steady points, solved directly.
   void overThrottle(const OutputSettings& outputs) {
-    Recording& r = addRun("Over throttle",
-                          {{"throttle", "1", "Throttle"},
-                           {"motor.speed", "rad/s", "Angular speed"},
-                           {"thrust", "N", "Thrust"},
-                           {"supply.voltage", "V", "Voltage of the supply under load"},
-                           {"supply.current", "A", "Current drawn from the supply"},
-                           {"motor.current", "A", "Current of the motor"},
-                           {"power.electrical", "W", "Power drawn from the supply"},
-                           {"power.shaft", "W", "Power delivered to the load"},
-                           {"efficiency", "1", "Shaft power over electrical power"},
-                           {"thrust_per_power", "N/W", "Thrust over electrical power"}},
-                          outputs, kRuns);
+    Recording& r =
+        addRun("Over throttle",
+               {{"over_throttle.throttle", "1", "Throttle"},
+                {"over_throttle.speed", "rad/s", "Angular speed"},
+                {"over_throttle.thrust", "N", "Thrust"},
+                {"over_throttle.supply_voltage", "V", "Voltage of the supply under load"},
+                {"over_throttle.supply_current", "A", "Current drawn from the supply"},
+                {"over_throttle.motor_current", "A", "Current of the motor"},
+                {"over_throttle.electrical_power", "W", "Power drawn from the supply"},
+                {"over_throttle.shaft_power", "W", "Power delivered to the load"},
+                {"over_throttle.efficiency", "1", "Shaft power over electrical power"},
+                {"over_throttle.thrust_per_power", "N/W", "Thrust over electrical power"}},
+               outputs, kRuns);
     for (int k = 0; k < kCurvePoints; ++k) {
       const double throttle = static_cast<double>(k) / (kCurvePoints - 1);
       const auto y = train().steadyState(throttle, train().supply().charge, 0);

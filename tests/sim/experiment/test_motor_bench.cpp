@@ -57,7 +57,8 @@ class TestMotorBench : public QObject {
   void efficiencyPeakMeetsClosedForm() {
     const auto simulation = finished(bench(1));
     const Recording& r = run(*simulation, "Over speed");
-    const std::size_t efficiency = *r.find("efficiency"), current = *r.find("motor.current");
+    const std::size_t efficiency = *r.find("over_speed.efficiency"),
+                      current = *r.find("over_speed.current");
     std::size_t best = 0;
     for (std::size_t row = 0; row < r.rows(); ++row)
       if (r.value(efficiency, row) > r.value(efficiency, best)) best = row;
@@ -67,7 +68,7 @@ class TestMotorBench : public QObject {
     QVERIFY(std::abs(r.value(current, best) / std::sqrt(11.1 * 0.45 / 0.117) - 1) < 0.08);
     // Stall and no load are the ends of the curve.
     QVERIFY(std::abs(r.value(current, 0) - 11.1 / 0.117) < 1e-9);
-    QVERIFY(std::abs(r.value(*r.find("motor.torque"), r.rows() - 1)) < 1e-9);
+    QVERIFY(std::abs(r.value(*r.find("over_speed.torque"), r.rows() - 1)) < 1e-9);
   }
 
   void steadyPointsAreReached_data() {
@@ -81,9 +82,14 @@ class TestMotorBench : public QObject {
     const Recording& solved = run(*simulation, "Over throttle");
     const auto row = static_cast<std::size_t>(std::lround(throttle * 200));
     QCOMPARE(solved.value(0, row), throttle);
-    for (const char* name : {"motor.speed", "thrust", "supply.current", "power.electrical"}) {
+    const std::pair<const char*, const char*> pairs[] = {
+        {"motor.speed", "over_throttle.speed"},
+        {"thrust", "over_throttle.thrust"},
+        {"supply.current", "over_throttle.supply_current"},
+        {"power.electrical", "over_throttle.electrical_power"}};
+    for (const auto& [name, direct] : pairs) {
       const double a = reached.value(*reached.find(name), reached.rows() - 1);
-      const double b = solved.value(*solved.find(name), row);
+      const double b = solved.value(*solved.find(direct), row);
       QVERIFY2(std::abs(a / b - 1) < 1e-5,
                qPrintable(QString("%1: %2 %3").arg(name).arg(a).arg(b)));
     }
