@@ -23,6 +23,7 @@ AnalyticCurve::AnalyticCurve(const SectionConstants& c, const SectionPlace& plac
   inverseWidth_ = 1 / c.stallWidth;
   delay_ = std::min(c.stallDelayLimit, c.stallDelay * place.chordToRadius * place.chordToRadius);
   fade_ = c.stallDelayFade;
+  broadside_ = c.broadside;
   profileDrag_ = c.profileDrag * std::exp(c.profileDragReynolds * l);
   separatedDrag_ = c.separatedDragFactor * profileDrag_;
 }
@@ -78,6 +79,9 @@ void Describe<SectionConstants>::fields(schema::Builder<SectionConstants>& b) {
   number("profileDragReynolds", &C::profileDragReynolds, "Profile drag with Reynolds number", "",
          "1", -2, 2)
       .help("The drag goes with exp(this L).");
+  number("broadside", &C::broadside, "Force broadside to the flow", "", "1", 0.5, 4)
+      .help("Normal-force coefficient of separated flow at 90 degrees.")
+      .source("Hoerner, Fluid-Dynamic Drag, 1965: 2.0 for a plate without ends");
   number("separatedDragFactor", &C::separatedDragFactor, "Drag added by separation", "", "1", 0,
          100)
       .help("In profile drags, on top of the flat plate's.");

@@ -32,11 +32,13 @@ inline double logistic(double x) {
   return 1 / (1 + std::exp(-x));
 }
 
-/// Normal-force coefficient of a flat plate against the angle of attack (Hoerner), 2 sin a/(0.56 +
-/// 0.44 |sin a|); its sign follows sin a.
+/// Normal force of a flat plate against the sine of the angle of attack, over that broadside (Hoerner):
+/// sin a/(0.56 + 0.44 |sin a|), odd.
 inline double plateNormalForce(double sine) {
-  return 2.0 * sine / (0.56 + 0.44 * std::abs(sine));
+  return sine / (0.56 + 0.44 * std::abs(sine));
 }
+/// Normal-force coefficient of a flat plate broadside to the flow without end effects (Hoerner).
+inline constexpr double kBroadside = 2.0;
 
 /// The constants of the analytic section, with L = ln(Re/1e5). Defaults: the fit to 101 propellers.
 struct SectionConstants {
@@ -55,7 +57,8 @@ struct SectionConstants {
   double stallDelayFade = 0.6;         ///< rad, angle at which the delay has faded to one half
   double profileDrag = 0.0175;         ///< drag of attached flow at Re 1e5
   double profileDragReynolds = -0.25;  ///< the drag goes with exp(this L)
-  double separatedDragFactor = 7.5;    ///< profile drags added to the plate's in separated flow
+  double broadside = kBroadside;     ///< normal-force coefficient at 90 degrees, in separated flow
+  double separatedDragFactor = 7.5;  ///< profile drags added to the plate's in separated flow
   bool operator==(const SectionConstants&) const = default;
 };
 
@@ -72,12 +75,12 @@ class AnalyticCurve {
   [[nodiscard]] double lift(double alpha) const {
     const double separated = separation(alpha);
     return (1 - separated) * attachedLift(alpha) +
-           separated * plateNormalForce(std::sin(alpha)) * std::cos(alpha);
+           separated * broadside_ * plateNormalForce(std::sin(alpha)) * std::cos(alpha);
   }
 
   [[nodiscard]] SectionCoefficients at(double alpha) const {
     const double separated = separation(alpha), sine = std::sin(alpha);
-    const double normal = plateNormalForce(sine);
+    const double normal = broadside_ * plateNormalForce(sine);
     return {(1 - separated) * attachedLift(alpha) + separated * normal * std::cos(alpha),
             (1 - separated) * profileDrag_ + separated * (normal * sine + separatedDrag_)};
   }
@@ -99,7 +102,8 @@ class AnalyticCurve {
   }
 
   double slope_ = 0, zeroLift_ = 0, positiveStall_ = 0, negativeStall_ = 0;
-  double inverseWidth_ = 1, delay_ = 0, fade_ = 0, profileDrag_ = 0, separatedDrag_ = 0;
+  double inverseWidth_ = 1, delay_ = 0, fade_ = 0, broadside_ = 0, profileDrag_ = 0,
+         separatedDrag_ = 0;
 };
 
 /// The analytic section as a choice of an experiment.

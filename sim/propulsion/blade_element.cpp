@@ -18,7 +18,7 @@ constexpr int kBranchSteps = 24;
 constexpr double kLeastBracket = 0.02;  // of the section's speed
 constexpr double kBracketGrowth = 1.4;
 constexpr double kWarmBracket = 0.01;  // of the section's speed, around the last solution
-constexpr double kTolerance = 1e-12;   // of the section's speed
+constexpr double kTolerance = 1e-10;   // of the section's speed
 constexpr double kRingBegin = -0.5, kRingEnd = -2;  // of the hover induced velocity: Leishman 2.13
 
 /// Air as a section meets it.

@@ -16,7 +16,7 @@ constexpr double kDelayLimit = 0.95;  // of the lift lost in stall, as in the an
 constexpr double kDelayFade = 0.6, kDelayFadeWidth = 0.1;  // rad, likewise
 
 SectionCoefficients plate(double alpha, double leastDrag) {
-  const double sine = std::sin(alpha), normal = plateNormalForce(sine);
+  const double sine = std::sin(alpha), normal = kBroadside * plateNormalForce(sine);
   return {normal * std::cos(alpha), normal * sine + leastDrag};
 }
 

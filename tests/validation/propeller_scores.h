@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "sim/propulsion/blade_element.h"
+#include "sim/propulsion/bracketed_root.h"
 #include "tests/validation/uiuc_data.h"
 
 namespace uiuc {
@@ -89,12 +90,9 @@ inline double peakEfficiency(const std::vector<Row>& run) {
 }
 
 inline double zeroThrustAdvance(const rotorbench::BladeElementRotor& rotor, double rpm) {
-  double low = 0, high = 3;
-  for (int i = 0; i < 30; ++i) {
-    const double middle = (low + high) / 2;
-    (computed(rotor, rpm, middle).thrust > 0 ? low : high) = middle;
-  }
-  return low;
+  constexpr double kMost = 3;  // no propeller here has a pitch of three diameters
+  const auto thrust = [&](double advance) { return computed(rotor, rpm, advance).thrust; };
+  return rotorbench::bracketedRoot(thrust, 0, thrust(0), kMost, thrust(kMost), 1e-6);
 }
 
 inline Score stillScore(const Set& set, const rotorbench::BladeElementRotor& rotor) {
