@@ -9,11 +9,19 @@ constexpr double kChordOfFit = 0.18;    // c/R at which zeroLiftChord has no eff
 constexpr double kLeastReynolds = 5e3;  // below and above the measured range
 constexpr double kMostReynolds = 5e5;   // the constants stay as they are
 
+/// The Reynolds number kept within its range, without a kink at the ends.
+double limited(double reynolds) {
+  constexpr double kSharpness = 6;
+  const double low = std::pow(std::pow(reynolds, kSharpness) + std::pow(kLeastReynolds, kSharpness),
+                              1 / kSharpness);
+  return low / std::pow(1 + std::pow(low / kMostReynolds, kSharpness), 1 / kSharpness);
+}
+
 }  // namespace
 
 AnalyticCurve::AnalyticCurve(const SectionConstants& c, const SectionPlace& place,
                              double reynolds) {
-  const double l = std::log(std::clamp(reynolds, kLeastReynolds, kMostReynolds) / kReynoldsOfFit);
+  const double l = std::log(limited(reynolds) / kReynoldsOfFit);
   slope_ = c.liftSlope * std::exp(c.liftSlopeReynolds * l);
   zeroLift_ = c.zeroLift + c.zeroLiftReynolds * l +
               c.zeroLiftChord * (place.chordToTipRadius - kChordOfFit) -

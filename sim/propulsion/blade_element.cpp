@@ -11,8 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kLeastTipLoss = 1e-4;
-/// Below this advance ratio V/(n D) an annulus may have several solutions (stall): the one next to zero lift is
-/// taken, so that neighbouring states lie on the same branch.
+/// Below this advance ratio V/(n D) an annulus may have several solutions (stall).
 constexpr double kBranchAdvance = -0.1;
 constexpr int kBranchSteps = 24;
 constexpr double kLeastBracket = 0.02;  // of the section's speed
@@ -56,9 +55,11 @@ double hoverSquare(const Element& e, const Curve& curve, const Flow& f, double m
 }
 
 /// Root of a residual that is negative at 0 on the way to a positive root, or the other way round. The
-/// bracket starts with `reach`, the induced velocity without lift.
+/// bracket starts with `reach`, the induced velocity without lift. Where stall gives three roots or more, `many` takes
+/// the first less the second plus the third and so on: it passes from the lone root on one side of such a range to the
+/// one on the other without a jump, in the middle of the hysteresis a real blade would show.
 template <class Residual>
-double rootFromZero(const Residual& residual, double reach, double speed, bool nearestToReach) {
+double rootFromZero(const Residual& residual, double reach, double speed, bool many) {
   const double atZero = residual(0);
   if (atZero == 0) return 0;
   const double least = kLeastBracket * speed;
@@ -69,18 +70,17 @@ double rootFromZero(const Residual& residual, double reach, double speed, bool n
     end *= kBracketGrowth;
     atEnd = residual(end);
   }
-  double start = 0, atStart = atZero;
-  if (nearestToReach) {
-    for (int i = kBranchSteps - 1; i > 0; --i) {
-      const double v = end * i / kBranchSteps, r = residual(v);
-      if ((r > 0) != (atEnd > 0)) {
-        start = v, atStart = r;
-        break;
-      }
-      end = v, atEnd = r;
+  if (!many) return bracketedRoot(residual, 0, atZero, end, atEnd, kTolerance * speed);
+  double sum = 0, sign = 1, from = 0, atFrom = atZero;
+  for (int i = 1; i <= kBranchSteps; ++i) {
+    const double to = end * i / kBranchSteps, atTo = i < kBranchSteps ? residual(to) : atEnd;
+    if ((atTo > 0) != (atFrom > 0)) {
+      sum += sign * bracketedRoot(residual, from, atFrom, to, atTo, kTolerance * speed);
+      sign = -sign;
     }
+    from = to, atFrom = atTo;
   }
-  return bracketedRoot(residual, start, atStart, end, atEnd, kTolerance * speed);
+  return sum;
 }
 
 /// Two neighbouring sections of a blade, blended.

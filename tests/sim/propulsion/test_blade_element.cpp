@@ -117,11 +117,12 @@ void TestBladeElement::agreesWithReference() {
   QTEST(std::round(load.torque * 2 * M_PI / (scale * d) * 1e5) / 1e5, "power");
 }
 
+/// The reference cuts the Reynolds number off at 5000, where we round the corner: 1e-4 N.
 void TestBladeElement::standingStillInWind() {
   const BladeElementRotor rotor(withSection(propeller("apcsf_10x4.7"), referenceConstants()));
   const AxialLoad load = rotor.axial(0, 10, kAir);
-  QVERIFY(std::abs(load.thrust + 0.59359) < 5e-6);
-  QVERIFY(std::abs(load.torque + 0.009551) < 5e-7);
+  QVERIFY(std::abs(load.thrust + 0.59359) < 1e-4);
+  QVERIFY(std::abs(load.torque + 0.009551) < 2e-6);
 }
 
 /// v (V + v) = h in climb, v (V + v) = -h in the windmill brake state, v sqrt(Vi^2 + (V + v)^2) = h (Glauert).
