@@ -26,6 +26,8 @@ PropellerGeometry propeller(const QString& name) {
   qFatal("no propeller %s", qPrintable(name));
 }
 
+constexpr BladeElementSettings kReferenceSettings{24, 0.8, 12};
+
 /// The constants an independent implementation of the same equations was run with.
 SectionConstants referenceConstants() {
   SectionConstants c;
@@ -111,7 +113,8 @@ void TestBladeElement::agreesWithReference() {
   QFETCH(double, advance);
   const PropellerGeometry g = withSection(propeller(name), referenceConstants());
   const double n = rpm / 60, d = g.diameter;
-  const AxialLoad load = BladeElementRotor(g).axial(omegaOf(rpm), advance * n * d, kAir);
+  const AxialLoad load =
+      BladeElementRotor(g, kReferenceSettings).axial(omegaOf(rpm), advance * n * d, kAir);
   const double scale = kAir.density * n * n * std::pow(d, 4);
   QTEST(std::round(load.thrust / scale * 1e5) / 1e5, "thrust");
   QTEST(std::round(load.torque * 2 * M_PI / (scale * d) * 1e5) / 1e5, "power");
@@ -119,7 +122,8 @@ void TestBladeElement::agreesWithReference() {
 
 /// The reference cuts the Reynolds number off at 5000, where we round the corner: 1e-4 N.
 void TestBladeElement::standingStillInWind() {
-  const BladeElementRotor rotor(withSection(propeller("apcsf_10x4.7"), referenceConstants()));
+  const BladeElementRotor rotor(withSection(propeller("apcsf_10x4.7"), referenceConstants()),
+                                kReferenceSettings);
   const AxialLoad load = rotor.axial(0, 10, kAir);
   QVERIFY(std::abs(load.thrust + 0.59359) < 1e-4);
   QVERIFY(std::abs(load.torque + 0.009551) < 2e-6);
