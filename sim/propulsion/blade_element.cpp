@@ -1,8 +1,9 @@
 #include "sim/propulsion/blade_element.h"
 
+#include <limits>
 #include <numbers>
 
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/propulsion/inflow_root.h"
 #include "sim/propulsion/momentum_inflow.h"
 
 namespace rotorbench {
@@ -11,13 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kLeastTipLoss = 1e-4;
-/// Below this advance ratio V/(n D) an annulus may have several solutions (stall).
-constexpr double kBranchAdvance = -0.1;
-constexpr int kBranchSteps = 24;
-constexpr double kLeastBracket = 0.02;  // of the section's speed
-constexpr double kBracketGrowth = 1.4;
 constexpr double kWarmBracket = 0.01;  // of the section's speed, around the last solution
-constexpr double kTolerance = 1e-10;   // of the section's speed
 constexpr double kRingBegin = -0.5, kRingEnd = -2;  // of the hover induced velocity: Leishman 2.13
 
 /// Air as a section meets it.
@@ -41,6 +36,11 @@ Flow flowAt(double induced, double axialStream, double tangentialStream) {
   return f;
 }
 
+/// V/(n D) from the axial and the tip's speed; far outside every table at a standstill.
+double advanceRatio(double axial, double tip) {
+  return kPi * axial / std::max(tip, 1e-9 * std::abs(axial) + std::numeric_limits<double>::min());
+}
+
 /// Prandtl's factor of the induced velocity lost around the tips.
 double tipLoss(double tipDistance, double sine) {
   const double exponent = tipDistance / std::max(std::abs(sine), 1e-12);
@@ -52,35 +52,6 @@ template <class Element, class Curve>
 double hoverSquare(const Element& e, const Curve& curve, const Flow& f, double momentumFactor) {
   return f.speedSquared * e.solidity * curve.lift(e.twist - f.angle) * f.cosine /
          (4 * tipLoss(e.tipDistance, f.sine) * momentumFactor);
-}
-
-/// Root of a residual that is negative at 0 on the way to a positive root, or the other way round. The
-/// bracket starts with `reach`, the induced velocity without lift. Where stall gives three roots or more, `many` takes
-/// the first less the second plus the third and so on: it passes from the lone root on one side of such a range to the
-/// one on the other without a jump, in the middle of the hysteresis a real blade would show.
-template <class Residual>
-double rootFromZero(const Residual& residual, double reach, double speed, bool many) {
-  const double atZero = residual(0);
-  if (atZero == 0) return 0;
-  const double least = kLeastBracket * speed;
-  double end = atZero < 0 ? std::max(reach, least) : std::min(reach, -least);
-  double atEnd = residual(end);
-  // The residual tends to v itself for large v, so that this ends after a few rounds.
-  for (int i = 0; i < 60 && (atEnd > 0) == (atZero > 0) && atEnd != 0; ++i) {
-    end *= kBracketGrowth;
-    atEnd = residual(end);
-  }
-  if (!many) return bracketedRoot(residual, 0, atZero, end, atEnd, kTolerance * speed);
-  double sum = 0, sign = 1, from = 0, atFrom = atZero;
-  for (int i = 1; i <= kBranchSteps; ++i) {
-    const double to = end * i / kBranchSteps, atTo = i < kBranchSteps ? residual(to) : atEnd;
-    if ((atTo > 0) != (atFrom > 0)) {
-      sum += sign * bracketedRoot(residual, from, atFrom, to, atTo, kTolerance * speed);
-      sign = -sign;
-    }
-    from = to, atFrom = atTo;
-  }
-  return sum;
 }
 
 /// Two neighbouring sections of a blade, blended.
@@ -163,16 +134,16 @@ double BladeElementRotor::solveAxial(const Element& e, const Curve& curve, doubl
     const double h = hoverSquare(e, curve, flowAt(v, axial, tangential), momentumFactor_);
     return v - axialInducedVelocity(h, axial);
   };
-  // With V_t = Om r, J = pi V/(Om R).
-  const bool branched = kPi * axial * e.radius < kBranchAdvance * tangential * radius_;
-  if (guess && !branched) {
+  const RootRule rule = RootRule::at(advanceRatio(axial * e.radius, tangential * radius_));
+  if (guess && !rule.many) {
     const double a = *guess - kWarmBracket * speed, b = *guess + kWarmBracket * speed;
     const double fa = residual(a), fb = residual(b);
-    if ((fa > 0) != (fb > 0)) return bracketedRoot(residual, a, fa, b, fb, kTolerance * speed);
+    if ((fa > 0) != (fb > 0))
+      return bracketedRoot(residual, a, fa, b, fb, kInflowTolerance * speed);
   }
   constexpr double kSteepest = 1.5;  // rad, keeps the tangent finite
   const double free = std::clamp(e.twist - curve.zeroLift(), -kSteepest, kSteepest);
-  return rootFromZero(residual, tangential * std::tan(free) - axial, speed, branched);
+  return inflowRoot(residual, tangential * std::tan(free) - axial, speed, rule);
 }
 
 void BladeElementRotor::addAxial(const Element& e, double omega, double axialSpeed,
@@ -239,9 +210,9 @@ void BladeElementRotor::addOblique(const Element& e, double omega, double axialS
       for (const auto& d : directions_) h += hoverSquare(e, curve, flow(v, d), momentumFactor_);
       return v - inducedVelocity(h * share, axialSpeed, inPlaneSpeed);
     };
-    const bool branched = kPi * axialSpeed < kBranchAdvance * omega * radius_;
-    const double v = rootFromZero(
-        residual, turning * std::tan(e.twist - curve.zeroLift()) - axialSpeed, speed, branched);
+    const double v =
+        inflowRoot(residual, turning * std::tan(e.twist - curve.zeroLift()) - axialSpeed, speed,
+                   RootRule::at(advanceRatio(axialSpeed, omega * radius_)));
     for (const auto& d : directions_) {
       const Flow f = flow(v, d);
       const SectionCoefficients c = curve.at(e.twist - f.angle);

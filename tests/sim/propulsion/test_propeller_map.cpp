@@ -67,19 +67,14 @@ void TestPropellerMap::mapFollowsBladeElements_data() {
   }
 }
 
-/// Climb, hover, windmill and slow descent, to -10 degrees (an advance ratio of about -0.4): 0.2 % and 1 %. In
-/// faster descent annulus after annulus passes through stall with a steep, nearly broken load, which no
-/// grid follows that closely.
+/// From straight descent to straight climb: 0.2 % and 1 %.
 void TestPropellerMap::mapFollowsBladeElements() {
   QFETCH(QString, name);
   const BladeElementRotor rotor(propeller(name));
   const PropellerMap map(rotor);
-  const Worst usual = worstBetween(rotor, map, -9.9 * kDegree, 89.9 * kDegree);
-  const Worst descent = worstBetween(rotor, map, -89.7 * kDegree, -10 * kDegree);
-  qInfo("thrust %.3f %%, torque %.3f %%; in fast descent %.2f %%, %.2f %%", usual.thrust,
-        usual.torque, descent.thrust, descent.torque);
-  QVERIFY(usual.thrust <= 0.2 && usual.torque <= 1);
-  QVERIFY(descent.thrust <= 3.5 && descent.torque <= 20);
+  const Worst worst = worstBetween(rotor, map, -89.9 * kDegree, 89.9 * kDegree);
+  qInfo("thrust %.3f %%, torque %.3f %%", worst.thrust, worst.torque);
+  QVERIFY(worst.thrust <= 0.2 && worst.torque <= 1);
 }
 
 void TestPropellerMap::mapIsExactOnItsGrid() {
