@@ -9,19 +9,19 @@ constexpr double kChordOfFit = 0.18;    // c/R at which zeroLiftChord has no eff
 constexpr double kLeastReynolds = 5e3;  // below and above the measured range
 constexpr double kMostReynolds = 5e5;   // the constants stay as they are
 
-/// The Reynolds number kept within its range, without a kink at the ends.
-double limited(double reynolds) {
-  constexpr double kSharpness = 6;
-  const double low = std::pow(std::pow(reynolds, kSharpness) + std::pow(kLeastReynolds, kSharpness),
-                              1 / kSharpness);
-  return low / std::pow(1 + std::pow(low / kMostReynolds, kSharpness), 1 / kSharpness);
+/// ln(Re/1e5), the Reynolds number kept within its range without a kink at the ends: the sixth powers are added
+/// below, their inverses above.
+double limitedLog(double reynolds) {
+  const auto sixth = [](double x) { return x * x * x * x * x * x; };
+  const double raised = sixth(reynolds / kReynoldsOfFit) + sixth(kLeastReynolds / kReynoldsOfFit);
+  return std::log(raised / (1 + raised / sixth(kMostReynolds / kReynoldsOfFit))) / 6;
 }
 
 }  // namespace
 
 AnalyticCurve::AnalyticCurve(const SectionConstants& c, const SectionPlace& place,
                              double reynolds) {
-  const double l = std::log(limited(reynolds) / kReynoldsOfFit);
+  const double l = limitedLog(reynolds);
   slope_ = c.liftSlope * std::exp(c.liftSlopeReynolds * l);
   zeroLift_ = c.zeroLift + c.zeroLiftReynolds * l +
               c.zeroLiftChord * (place.chordToTipRadius - kChordOfFit) -

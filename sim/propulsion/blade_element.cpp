@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr double kLeastTipLoss = 1e-4;
-constexpr double kWarmBracket = 0.01;  // of the section's speed, around the last solution
+constexpr double kWarmBracket = 0.003;  // of the section's speed, around the last solution
 constexpr double kRingBegin = -0.5, kRingEnd = -2;  // of the hover induced velocity: Leishman 2.13
 
 /// Air as a section meets it.
