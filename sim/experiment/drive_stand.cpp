@@ -10,15 +10,35 @@ namespace rotorbench {
 
 namespace {
 
+/// Points of a propeller's curve over the speed.
+constexpr int kSpeedPoints = 64;
+
 struct LoadOf {
+  double topSpeed;  ///< rad/s, never exceeded: the motor's speed at the full voltage of the supply
+
   ShaftLoad operator()(const FreeShaft& /*load*/) const { return {}; }
   ShaftLoad operator()(const BrakeLoad& load) const { return {.constant = load.torque}; }
   ShaftLoad operator()(const PropellerLoad& p) const {
     // n = w/(2 pi): T = CT rho D^4 n^2, Q = P/w = CP rho D^5 n^2/(2 pi).
     const double turns = 1 / (2 * std::numbers::pi);
     const double square = p.airDensity * std::pow(p.diameter, 4) * turns * turns;
-    return {.quadratic = p.powerCoefficient * square * p.diameter * turns,
-            .thrust = p.thrustCoefficient * square};
+    const double torque = p.powerCoefficient * square * p.diameter * turns;
+    const double thrust = p.thrustCoefficient * square;
+    return {.quadratic = {1, {torque, torque}}, .thrust = {1, {thrust, thrust}}};
+  }
+  ShaftLoad operator()(const BladeElementLoad& p) const {
+    const BladeElementRotor rotor(p.propeller, p.settings);
+    const AirState air{p.airDensity, p.airViscosity};
+    ShaftLoad load;
+    load.quadratic = load.thrust = {topSpeed / kSpeedPoints, {}};
+    for (int k = 0; k <= kSpeedPoints; ++k) {
+      // At rest the coefficients are those of the slowest turning, which is a limit and no division by zero.
+      const double w = topSpeed * std::max(k, 1) / kSpeedPoints;
+      const AxialLoad at = rotor.axial(w, 0, air);
+      load.quadratic.values.push_back(at.torque / (w * w));
+      load.thrust.values.push_back(at.thrust / (w * w));
+    }
+    return load;
   }
 };
 
@@ -40,10 +60,11 @@ double stabilityLimit(ode::Method method) {
 }  // namespace
 
 DriveTrain buildDriveTrain(const DriveStand& stand) {
+  const double topSpeed = Supply(stand.supply).openCircuit(1.0) * stand.motor.speedConstant;
   return DriveTrain({.supply = stand.supply,
                      .esc = stand.esc,
                      .motor = stand.motor,
-                     .load = std::visit(LoadOf{}, stand.load),
+                     .load = std::visit(LoadOf{topSpeed}, stand.load),
                      .inertia = stand.inertia,
                      .quasiStaticCurrent = stand.quasiStaticCurrent});
 }
@@ -82,7 +103,7 @@ void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, 
       at.current,
       w,
       train.load().torque(w),
-      train.load().thrust * w * w,
+      train.load().thrustAt(w),
       electrical,
       powers.load,
       electrical > 0 && powers.load >= 0 ? std::min(powers.load / electrical, 1.0) : 0.0,
@@ -136,6 +157,22 @@ void Describe<PropellerLoad>::fields(schema::Builder<PropellerLoad>& b) {
   b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
       .range(schema::atLeast(0), schema::upTo(10))
       .source("International standard atmosphere at sea level");
+}
+
+void Describe<BladeElementLoad>::fields(schema::Builder<BladeElementLoad>& b) {
+  using P = BladeElementLoad;
+  b.title("blade-element", "Propeller by blade elements",
+          "A propeller in still air from its geometry and sections; its coefficients change with "
+          "the speed.");
+  b.group("propeller", &P::propeller, "Propeller");
+  b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
+      .range(schema::atLeast(0), schema::upTo(10))
+      .source("International standard atmosphere at sea level");
+  b.number("airViscosity", &P::airViscosity, "Air viscosity", "\u03bc", "Pa*s")
+      .range(schema::atLeast(1e-7), schema::upTo(1))
+      .source("Sutherland's law at 15 degrees Celsius")
+      .advanced();
+  b.group("settings", &P::settings, "Blade elements");
 }
 
 void Describe<DriveStand>::fields(schema::Builder<DriveStand>& b) {

@@ -8,8 +8,8 @@
 #include "sim/core/channel.h"
 #include "sim/core/schema.h"
 #include "sim/ode/solver_settings.h"
+#include "sim/propulsion/blade_element.h"
 #include "sim/propulsion/drive_train.h"
-#include "sim/propulsion/rotor.h"
 
 namespace rotorbench {
 
@@ -31,11 +31,20 @@ struct PropellerLoad {
   bool operator==(const PropellerLoad&) const = default;
 };
 
+/// A propeller at rest in the air, by blade elements: its coefficients change with the speed.
+struct BladeElementLoad {
+  PropellerGeometry propeller;
+  BladeElementSettings settings;
+  double airDensity = 1.225;      ///< kg/m^3
+  double airViscosity = 1.81e-5;  ///< Pa s
+  bool operator==(const BladeElementLoad&) const = default;
+};
+
 struct DriveStand {
   SupplyModel supply;
   EscParameters esc;
   MotorParameters motor;
-  std::variant<PropellerLoad, BrakeLoad, FreeShaft> load;
+  std::variant<PropellerLoad, BladeElementLoad, BrakeLoad, FreeShaft> load;
   double inertia = 6.05e-5;  ///< kg m^2 of all that spins
   bool quasiStaticCurrent = false;
   bool operator==(const DriveStand&) const = default;
@@ -72,6 +81,10 @@ struct Describe<BrakeLoad> {
 template <>
 struct Describe<PropellerLoad> {
   static void fields(schema::Builder<PropellerLoad>& b);
+};
+template <>
+struct Describe<BladeElementLoad> {
+  static void fields(schema::Builder<BladeElementLoad>& b);
 };
 template <>
 struct Describe<DriveStand> {

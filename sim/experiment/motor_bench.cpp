@@ -142,7 +142,7 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
       const double throttle = static_cast<double>(k) / (kCurvePoints - 1);
       const auto y = train().steadyState(throttle, train().supply().charge, 0);
       const auto at = train().instant(y);
-      const double w = y[DriveTrain::kSpeed], thrust = train().load().thrust * w * w;
+      const double w = y[DriveTrain::kSpeed], thrust = train().load().thrustAt(w);
       const double electrical = at.busVoltage * at.busCurrent, shaft = train().load().torque(w) * w;
       r.append(std::array{throttle, w, thrust, at.busVoltage, at.busCurrent, at.current, electrical,
                           shaft, electrical > 0 ? shaft / electrical : 0,

@@ -16,7 +16,8 @@ class SpeedCommander {
  public:
   SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train)
       : steps_(run.setPoints),
-        controller_(run.controller, motorSeen(run, train), train.inertia(), train.load().quadratic),
+        controller_(run.controller, motorSeen(run, train), train.inertia(),
+                    feedForward(run, train)),
         every_(ticksBetween(run.controller.rate, run.run.tick, "setup.controller.rate")) {}
 
   double throttle(double t, const DriveTrain& train, const DriveTrain::State& y) {
@@ -65,6 +66,13 @@ class SpeedCommander {
     motor.resistance += run.stand.esc.resistance;
     motor.maxCurrent = train.maxCurrent();
     return motor;
+  }
+
+  /// Torque per speed squared at the highest set-point: the controller knows one number of its propeller.
+  static double feedForward(const MotorSpeedRun& run, const DriveTrain& train) {
+    double top = 0;
+    for (const SpeedStep& step : run.setPoints) top = std::max(top, step.speed);
+    return train.load().quadratic.at(top);
   }
 
   std::vector<SpeedStep> steps_;

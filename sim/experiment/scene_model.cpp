@@ -14,9 +14,9 @@ using std::numbers::pi;
 
 /// Blade of a propeller known by its diameter only: the planform and constant geometric pitch of a typical
 /// moulded 10x4.5 propeller, for drawing and nothing else.
-std::vector<BladeStation> typicalBlade(double radius) {
+std::vector<DrawnStation> typicalBlade(double radius) {
   constexpr double kPitchPerDiameter = 0.45;
-  std::vector<BladeStation> stations;
+  std::vector<DrawnStation> stations;
   for (int i = 0; i <= 12; ++i) {
     const double x = 0.12 + 0.88 * i / 12.0;
     const double chord = 0.18 * std::sqrt(std::max(0.0, 1 - std::pow((x - 0.35) / 0.68, 2)));

@@ -15,7 +15,7 @@ namespace rotorbench {
 struct Experiment;
 
 /// A blade section: radius and chord in m, twist against the rotor plane in rad.
-struct BladeStation {
+struct DrawnStation {
   double radius, chord, twist;
 };
 
@@ -25,7 +25,7 @@ struct SceneRotor {
   double spin;  ///< +1 counter-clockwise seen against `axis` (from above), -1 clockwise
   double radius;
   int blades;
-  std::vector<BladeStation> stations;  ///< root to tip
+  std::vector<DrawnStation> stations;  ///< root to tip
   double motorRadius, motorHeight;
 };
 

@@ -51,7 +51,8 @@ class Supply {
     using std::max;
     using std::min;
     const S place = min(max(z, S(0)), S(1)) * S(kCells);
-    const int cell = std::min(static_cast<int>(valueOf(place)), kCells - 1);
+    // NaN is no index; it goes on in the value, and the solver names it.
+    const int cell = valueOf(place) < kCells ? static_cast<int>(valueOf(place)) : kCells - 1;
     const auto i = static_cast<std::size_t>(cell);
     return S(voltages_[i] + (place - S(cell)) * (voltages_[i + 1] - voltages_[i]));
   }

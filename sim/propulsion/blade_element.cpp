@@ -268,7 +268,7 @@ RotorLoad<double> BladeElementRotor::load(double w, const Eigen::Vector3d& v,
 
 void Describe<BladeElementSettings>::fields(schema::Builder<BladeElementSettings>& b) {
   using S = BladeElementSettings;
-  b.title("bladeElement", "Blade elements", "How finely the blade is cut.",
+  b.title("blade-elements", "Blade elements", "How finely the blade is cut.",
           "Glauert; Prandtl; Drela, QPROP");
   b.integer("elements", &S::elements, "Elements along the blade", "N")
       .range(schema::atLeast(4), schema::upTo(static_cast<double>(InflowMemory::kMostElements)));

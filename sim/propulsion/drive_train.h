@@ -10,6 +10,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "sim/propulsion/battery.h"
 #include "sim/propulsion/esc.h"
@@ -17,18 +18,46 @@
 
 namespace rotorbench {
 
+/// Coefficients of a propeller on a stand at equal steps of speed from 0 on: they change little with it, so that
+/// straight lines between them do.
+struct SpeedCurve {
+  double step = 1;             ///< rad/s
+  std::vector<double> values;  ///< two at least
+
+  /// At the magnitude of speed w; the last value beyond the end. Any scalar.
+  template <class S>
+  [[nodiscard]] S at(const S& w) const {
+    using std::abs;
+    const S place = S(abs(w) / step);
+    const double most = static_cast<double>(values.size() - 1);
+    if (!(valueOf(place) < most)) return S(values.back());
+    const auto i = static_cast<std::size_t>(valueOf(place));
+    return S(values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]));
+  }
+
+ private:
+  static double valueOf(double v) { return v; }
+  template <class S>
+  static double valueOf(const S& v) {
+    return v.value();
+  }
+};
+
 /// What the shaft carries: a propeller's torque at rest in the air, friction of a brake, nothing.
 struct ShaftLoad {
-  double quadratic = 0;  ///< N m s^2: torque per speed squared, against the rotation
-  double constant = 0;   ///< N m: a friction brake, smooth through rest as the motor's own friction
-  double thrust = 0;     ///< N s^2: thrust per speed squared, for reading
+  SpeedCurve quadratic{1, {0, 0}};  ///< N m s^2: torque per speed squared, against the rotation
+  double constant = 0;  ///< N m: a friction brake, smooth through rest as the motor's own friction
+  SpeedCurve thrust{1, {0, 0}};  ///< N s^2: thrust per speed squared, for reading
 
   template <class S>
   [[nodiscard]] S torque(const S& w) const {
     using std::abs;
     using std::sqrt;
-    return S(quadratic * w * abs(w) + constant * w / sqrt(w * w + kFrictionSpeed * kFrictionSpeed));
+    return S(quadratic.at(w) * w * abs(w) +
+             constant * w / sqrt(w * w + kFrictionSpeed * kFrictionSpeed));
   }
+  /// N along the axis; backwards as much the other way.
+  [[nodiscard]] double thrustAt(double w) const { return thrust.at(w) * w * std::abs(w); }
 };
 
 struct DriveTrainSetup {

@@ -50,6 +50,11 @@ ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent)
   takeCurves();
 }
 
+ChartPane::~ChartPane() {
+  // The title loses the focus while it is destroyed, and would report an edit to a pane that is no more.
+  title_->disconnect(this);
+}
+
 void ChartPane::setSpec(const ChartSpec& spec) {
   if (spec == spec_) return;
   const bool otherAxes = spec.kind != spec_.kind || spec.logX != spec_.logX ||

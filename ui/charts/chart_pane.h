@@ -32,6 +32,7 @@ class ChartPane : public QFrame {
 
   /// `runs` and `link` are shared with other panes and outlive this one.
   ChartPane(RunSet* runs, ChartLink* link, QWidget* parent = nullptr);
+  ~ChartPane() override;
 
   [[nodiscard]] const ChartSpec& spec() const { return spec_; }
   void setSpec(const ChartSpec& spec);

@@ -19,6 +19,7 @@ class FieldEditor : public QWidget {
  public:
   FieldEditor(const FormContext& context, const schema::Field& field, QString path,
               QWidget* parent);
+  ~FieldEditor() override;
 
   [[nodiscard]] const QString& path() const { return path_; }
   [[nodiscard]] const schema::Field& field() const { return field_; }

@@ -174,7 +174,7 @@ Mesh tubeMesh(std::span<const Eigen::Vector3d> path, float radius, int sides, co
   return mesh;
 }
 
-Vec3f bladePoint(const BladeStation& station, double spin, BladePoint point) {
+Vec3f bladePoint(const DrawnStation& station, double spin, BladePoint point) {
   // Share of the chord behind the quarter-chord line, and height over the chord line: a lens with its
   // crest at 30 % of the chord, 9 % thick above and 4 % below.
   struct Outline {
@@ -190,12 +190,12 @@ Vec3f bladePoint(const BladeStation& station, double spin, BladePoint point) {
   return Eigen::Vector3d(station.radius, spin * y, z).cast<float>();
 }
 
-Mesh bladeMesh(std::span<const BladeStation> stations, double radius, double spin,
+Mesh bladeMesh(std::span<const DrawnStation> stations, double radius, double spin,
                const Vec3f& color, const Vec3f& tip) {
-  const std::array<BladeStation, 2> plain{
+  const std::array<DrawnStation, 2> plain{
       {{0.1 * radius, 0.12 * radius, 0.3}, {radius, 0.07 * radius, 0.15}}};
-  const std::span<const BladeStation> used =
-      stations.size() < 2 ? std::span<const BladeStation>(plain) : stations;
+  const std::span<const DrawnStation> used =
+      stations.size() < 2 ? std::span<const DrawnStation>(plain) : stations;
   const double direction = spin < 0 ? -1.0 : 1.0;
   const double tipStart = 0.88 * used.back().radius;
   Mesh mesh;

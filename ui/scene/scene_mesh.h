@@ -53,9 +53,9 @@ enum BladePoint { kLeadingEdge, kUpperCrest, kTrailingEdge, kLowerCrest, kBladeP
 /// One blade along +x in the rotor frame (z = thrust axis): a twisted surface through the stations with the
 /// quarter-chord line on x, the leading edge towards spin * (+y) and raised by the twist. `tip` colours the
 /// outer tenth. With fewer than two stations a plain blade of `radius` is drawn.
-Mesh bladeMesh(std::span<const BladeStation> stations, double radius, double spin,
+Mesh bladeMesh(std::span<const DrawnStation> stations, double radius, double spin,
                const Vec3f& color, const Vec3f& tip);
 /// Outline point of one station, rotor frame, m.
-Vec3f bladePoint(const BladeStation& station, double spin, BladePoint point);
+Vec3f bladePoint(const DrawnStation& station, double spin, BladePoint point);
 
 }  // namespace rotorbench

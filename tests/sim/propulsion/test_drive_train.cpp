@@ -15,7 +15,7 @@ using State = DriveTrain::State;
 DriveTrainSetup e305() {
   DriveTrainSetup setup;
   setup.supply = BatteryParameters{};
-  setup.load = {.quadratic = 2.0e-7, .thrust = 1e-5};
+  setup.load = {.quadratic = {1, {2.0e-7, 2.0e-7}}, .thrust = {1, {1e-5, 1e-5}}};
   setup.inertia = 6.05e-5;
   return setup;
 }
@@ -224,6 +224,17 @@ class TestDriveTrain : public QObject {
       const double v = supply.openCircuit(k / 1000.0);
       QVERIFY(v >= before);
       before = v;
+    }
+  }
+
+  /// A state that is no number stays one, so that the solver finds it.
+  void notANumberGoesOn() {
+    const DriveTrain train(e305());
+    for (int i = 0; i < DriveTrain::kStates; ++i) {
+      State y = train.steadyState(0.5, 1, 0), rate;
+      y[i] = std::numeric_limits<double>::quiet_NaN();
+      train.derivative(y, rate);
+      QVERIFY2(!rate.allFinite(), DriveTrain::componentName(i).data());
     }
   }
 

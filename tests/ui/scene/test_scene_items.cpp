@@ -56,10 +56,10 @@ class TestSceneItems : public QObject {
 
   void bladeHasChordAndTwistOfItsStations() {
     QFETCH(double, spin);
-    const std::vector<BladeStation> stations{
+    const std::vector<DrawnStation> stations{
         {0.02, 0.030, 0.6}, {0.06, 0.025, 0.3}, {0.12, 0.012, -0.05}};
     const Mesh mesh = bladeMesh(stations, 0.12, spin, Vec3f::Ones(), Vec3f::Ones());
-    for (const BladeStation& s : stations) {
+    for (const DrawnStation& s : stations) {
       // Of the vertices at this radius, leading and trailing edge are the two farthest apart.
       Vec3f leading = Vec3f::Zero(), trailing = Vec3f::Zero();
       float widest = 0;
@@ -85,7 +85,7 @@ class TestSceneItems : public QObject {
     QTest::addColumn<double>("expected");
     const double pi = std::numbers::pi;
     const Vec3f c = Vec3f::Ones();
-    const std::vector<BladeStation> plain{{0, 0.1, 0}, {1, 0.1, 0}};
+    const std::vector<DrawnStation> plain{{0, 0.1, 0}, {1, 0.1, 0}};
     // Outline of bladePoint(): two triangles over the chord, 9 % and 4 % of it high.
     const double blade = 0.5 * 0.13 * 0.1 * 0.1;
     QTest::addRow("cone frustum") << frustumMesh(2, 1, 0, 3, 200, c, 3) << pi * 3 / 3 * (4 + 2 + 1);
