@@ -65,8 +65,10 @@ void ChartPane::setSpec(const ChartSpec& spec) {
     y_.clear();
     history_.clear();
   }
-  if (title_->text() != QString::fromStdString(spec.title))
+  if (title_->text() != QString::fromStdString(spec.title)) {
     title_->setText(QString::fromStdString(spec.title));
+    title_->setCursorPosition(0);  // a long title shows its beginning
+  }
   setAccessibleName(spec.title.empty() ? tr("Chart") : tr("Chart %1").arg(title_->text()));
   takeCurves();
 }
