@@ -60,8 +60,9 @@ void LegendItem::paintEvent(QPaintEvent*) {
   const int cells = static_cast<int>(cells_.size()) * cellWidth_;
   const QRect label(kSample, 0, width() - kSample - kPadding - cells, height());
   const QFontMetrics metrics(face);
+  // The last part of a channel's name tells the curves of one chart apart.
   painter.drawText(label, Qt::AlignVCenter | Qt::AlignLeft,
-                   metrics.elidedText(text(), Qt::ElideMiddle, label.width()));
+                   metrics.elidedText(text(), Qt::ElideLeft, label.width()));
   painter.setFont(font());
   for (int i = 0; i < cells_.size(); ++i) {
     const QRect cell(width() - cells + i * cellWidth_, 0, cellWidth_ - kPadding, height());
