@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/core/number_text.h"
+#include "sim/core/schema_tree.h"
 
 namespace rotorbench {
 
@@ -115,6 +116,9 @@ void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solv
                         std::vector<Problem>& problems) {
   const double limit = stabilityLimit(solver.method);
   if (!(limit > 0)) return;
+  // Rules are asked of documents with faults too, and nothing can be built of a stand that has some.
+  const auto faults = schema::validate(schema::ref(stand));
+  if (std::ranges::any_of(faults, [](const Problem& p) { return !p.warning; })) return;
   const DriveTrain train = buildDriveTrain(stand);
   const double top = train.steadySpeed(train.supply().openCircuit(1.0));
   const double pole = std::max(train.fastestPole(0), train.fastestPole(top));

@@ -66,7 +66,7 @@ std::vector<Channel> driveChannels();
 void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, double* out);
 
 /// Warns, naming pole, method and largest stable step, where a fixed step cannot be stable. The experiment holds its
-/// DriveRunSettings as "run".
+/// DriveRunSettings as "run". Says nothing of a stand with faults.
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
                         std::vector<Problem>& problems);
 

@@ -117,7 +117,7 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
         problems.push_back({"setPoints[" + std::to_string(i) + "].time",
                             "is not later than the row before", "times must rise from row to row"});
     }
-    if (m.stand.esc.responseTime > 0.5 / m.controller.rate * 20)
+    if (m.stand.esc.responseTime > 10 / m.controller.rate)
       problems.push_back({"stand.esc.responseTime",
                           "is longer than ten updates of the controller, which does not know of it",
                           "expect overshoot, or shorten it", true});

@@ -99,7 +99,7 @@ class DriveTrain {
   using StateOf = Eigen::Matrix<S, kStates, 1>;
   using State = StateOf<double>;
 
-  /// Throws InputError where the motor's parameters contradict each other.
+  /// The parameters must satisfy their schemas.
   explicit DriveTrain(const DriveTrainSetup& setup);
 
   /// At rest, the supply as charged as its parameters say, the command 0.
@@ -165,7 +165,7 @@ class DriveTrain {
   [[nodiscard]] DrivePowers powers(const State& y) const;
   /// Largest magnitude of the poles of current and speed about speed w, 1/s.
   [[nodiscard]] double fastestPole(double w) const;
-  /// Speed in rad/s that the motor holds at full charge with a terminal voltage v in V, found by bisection.
+  /// Speed in rad/s that the motor holds with its load at a terminal voltage v in V, found by bisection.
   [[nodiscard]] double steadySpeed(double v) const;
   /// The steady state with the throttle given, at a state of charge and a polarised voltage.
   [[nodiscard]] State steadyState(double throttle, double charge, double polarisation) const;

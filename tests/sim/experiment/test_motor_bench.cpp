@@ -199,6 +199,36 @@ class TestMotorBench : public QObject {
     QTest::addRow("motor") << R"("stand": {"motor": {"noLoadCurrent": 200}})"
                            << "setup.stand.motor.noLoadCurrent";
   }
+  void emptyListsAreRefused_data() {
+    QTest::addColumn<QString>("stand");
+    QTest::addColumn<QString>("path");
+    const QString propeller = R"({"load": {"type": "blade-element", "propeller": {%1}}})";
+    QTest::addRow("battery") << R"({"supply": {"type": "battery", "openCircuit": []}})"
+                             << "setup.stand.supply.openCircuit";
+    QTest::addRow("stations") << propeller.arg(R"("stations": [])")
+                              << "setup.stand.load.propeller.stations";
+    QTest::addRow("sections") << propeller.arg(R"("sections": [])")
+                              << "setup.stand.load.propeller.sections";
+    QTest::addRow("polars") << propeller.arg(
+                                   R"("sections": [{"model": {"type": "polars", "polars": []}}])")
+                            << "setup.stand.load.propeller.sections[0].model.polars";
+  }
+  /// Nothing is built of a document with faults, not even to warn of its step.
+  void emptyListsAreRefused() {
+    QFETCH(QString, stand);
+    QFETCH(QString, path);
+    for (const char* kind : {"motor-bench", "motor-speed-control"}) {
+      const QString text =
+          QString(R"({"rotorbench": 1, "setup": {"type": "%1", "stand": %2}})").arg(kind, stand);
+      try {
+        readExperiment(text.toStdString(), "x.json");
+        QFAIL("accepted");
+      } catch (const InputError& error) {
+        QCOMPARE(QString::fromStdString(error.problems().front().path), path);
+      }
+    }
+  }
+
   void contradictionsAreRefused() {
     QFETCH(QString, json);
     QFETCH(QString, path);
