@@ -8,6 +8,7 @@
 #include <QUndoStack>
 
 #include "ui/shell/theme.h"
+#include "ui/shell/tools.h"
 
 namespace rotorbench {
 
@@ -111,6 +112,10 @@ void buildMenus(Actions& a, QMainWindow& window) {
   file->addAction(a.quit);
   addMenu(window, "&Edit", "menuEdit")->addActions({a.undo, a.redo});
   addMenu(window, "&Run", "menuRun")->addActions({a.run, a.pause, a.step, a.stop});
+  a.tools = addMenu(window, "&Tools", "menuTools");
+  for (const Tool& tool : tools()) {
+    a.tools->addAction(make(window, tool.text, tool.name, tool.icon, {}, tool.help));
+  }
   QMenu* view = addMenu(window, "&View", "menuView");
   a.panels = view->addMenu(tr("&Panels"));
   a.panels->setObjectName("menuPanels");

@@ -22,6 +22,8 @@ struct Actions {
   // Run
   QAction *run, *pause, *step, *stop;
   PaceBox* pace;
+  // Tools
+  QMenu* tools;
   // View
   QMenu* panels;
   QActionGroup* theme;  ///< data(): themeKey()

@@ -23,6 +23,7 @@
 #include "ui/shell/schema_types.h"
 #include "ui/shell/status_bar.h"
 #include "ui/shell/theme.h"
+#include "ui/shell/tools.h"
 #include "ui/shell/workbench.h"
 
 namespace rotorbench {
@@ -64,6 +65,7 @@ MainWindow::MainWindow(RunController::Builder builder, QWidget* parent)
   buildPages();
   connectFileActions();
   connectRunActions();
+  connectTools();
   connectViewActions();
   connectHelpActions();
   resize(1440, 900);
@@ -141,6 +143,22 @@ void MainWindow::connectRunActions() {
   connect(&documents_, &DocumentController::opened, this, &MainWindow::updateRunActions);
   connect(&controller_, &RunController::updated, this,
           [this] { status_->showRun(controller_.status()); });
+}
+
+void MainWindow::connectTools() {
+  const auto note = [this](const QString& sentence) {
+    bench_->log().add(sentence);
+    say(sentence);
+  };
+  const ToolContext context{this, documents_, runs_, *bench_, note};
+  const QList<QAction*> actions = actions_.tools->actions();
+  for (qsizetype i = 0; i < actions.size(); ++i) {
+    const auto open = tools()[static_cast<std::size_t>(i)].open;
+    connect(actions[i], &QAction::triggered, this, [this, open, context] {
+      showWorkbench();
+      open(context);
+    });
+  }
 }
 
 void MainWindow::connectViewActions() {

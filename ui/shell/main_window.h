@@ -47,6 +47,7 @@ class MainWindow : public QMainWindow {
   void buildPages();
   void connectFileActions();
   void connectRunActions();
+  void connectTools();
   void connectViewActions();
   void connectHelpActions();
   void showGallery();
