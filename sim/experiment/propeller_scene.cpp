@@ -23,8 +23,8 @@ SceneModel propellerScene(const PropellerGeometry& geometry) {
   rotor.radius = tip;
   rotor.blades = geometry.blades;
   rotor.stations = drawnBlade(geometry);
-  rotor.motorRadius = geometry.rootRadius * tip;
-  rotor.motorHeight = 0.12 * tip;
+  rotor.motorRadius = 0.8 * geometry.rootRadius * tip;
+  rotor.motorHeight = 0.06 * tip;
   SceneModel model;
   model.rotors.push_back(std::move(rotor));
   return model;

@@ -60,7 +60,8 @@ void BladeCurves::layOut() {
   frame_ = {};
   frame_.x = axis("1", tr("radius r/R"), {0, 1});
   frame_.y = {axis("1", tr("chord c/R"), chord), axis("deg", tr("twist [°]"), twist)};
-  layout_ = layoutPlot(frame_, QRectF(rect()).adjusted(2, 8, -2, -2), font(), labelWidths_);
+  layout_ = layoutPlot(frame_, QRectF(rect()).adjusted(2, 12 + fontMetrics().height(), -2, -2),
+                       font(), labelWidths_);
 }
 
 QPointF BladeCurves::handle(int station, Quantity quantity) const {
@@ -97,10 +98,12 @@ void BladeCurves::paintEvent(QPaintEvent* /*event*/) {
   paintCurve(painter, Quantity::Twist, theme);
   const BladeStation& s = stations_[static_cast<std::size_t>(station_)];
   painter.setPen(theme.dimText);
-  painter.drawText(layout_.plot.adjusted(8, 4, -8, -4), Qt::AlignTop | Qt::AlignRight,
-                   tr("r/R %1:  chord %2,  twist %3°")
-                       .arg(locale().toString(s.radius, 'g', 4), locale().toString(s.chord, 'g', 4),
-                            locale().toString(s.twist / kDegree, 'f', 2)));
+  painter.drawText(
+      QRectF(layout_.plot.left(), 4, width() - layout_.plot.left(), layout_.plot.top() - 8),
+      Qt::AlignVCenter | Qt::AlignLeft,
+      tr("r/R %1:  chord %2,  twist %3°")
+          .arg(locale().toString(s.radius, 'g', 4), locale().toString(s.chord, 'g', 4),
+               locale().toString(s.twist / kDegree, 'f', 2)));
 }
 
 void BladeCurves::resizeEvent(QResizeEvent* event) {

@@ -25,6 +25,7 @@ namespace rotorbench {
 namespace {
 
 constexpr int kRefreshMilliseconds = 30;
+constexpr double kCloser = 0.62;  // there is nothing round a propeller to be seen
 
 QLocale fieldLocale() {
   QLocale locale;
@@ -108,18 +109,20 @@ void PropellerEditor::buildPicker() {
 void PropellerEditor::buildPages() {
   view_->setAccessibleName(tr("The propeller in 3D"));
   view_->setObjectName("propellerScene");
-  view_->setOptions(
-      {.trail = false, .thrust = false, .grid = false, .axes = false, .setPoint = false});
+  view_->setOptions({.trail = false,
+                     .thrust = false,
+                     .grid = false,
+                     .axes = false,
+                     .setPoint = false,
+                     .writing = false});
   auto* upper = new QSplitter(Qt::Horizontal);
   upper->addWidget(curves_);
   upper->addWidget(view_);
-  upper->setStretchFactor(0, 3);
-  upper->setStretchFactor(1, 2);
+  upper->setSizes({480, 320});
   auto* right = new QSplitter(Qt::Vertical);
   right->addWidget(upper);
   right->addWidget(figures_);
-  right->setStretchFactor(0, 1);
-  right->setStretchFactor(1, 1);
+  right->setSizes({360, 340});
   auto* pages = new QSplitter(Qt::Horizontal);
   form_->setMinimumWidth(320);
   pages->addWidget(form_);
@@ -198,7 +201,9 @@ void PropellerEditor::refresh() {
     figures_->setMessage(QString::fromStdString(fault->message()));
     return;
   }
+  const bool first = !view_->stage().model();
   view_->setModel(propellerScene(geometry()));
+  if (first) view_->zoom(kCloser);
   figures_->setPropeller(geometry());
 }
 

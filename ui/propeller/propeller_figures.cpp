@@ -15,13 +15,14 @@ namespace rotorbench {
 namespace {
 
 constexpr double kRpm = 2 * std::numbers::pi / 60;
+constexpr double kStep = 0.02;                             // of the advance ratio
 constexpr double kFirstSpeed = 5000, kMostSpeed = 100000;  // rpm
 
 std::shared_ptr<const Recording> recordingOf(const PropellerCurves& curves) {
   auto recording = std::make_shared<Recording>(
-      std::vector<Channel>{{"advance_ratio", "1", "J = V/(n D)"},
-                           {"thrust_coefficient", "1", "CT: T = CT rho n^2 D^4"},
-                           {"power_coefficient", "1", "CP: P = CP rho n^3 D^5"},
+      std::vector<Channel>{{"J", "1", "Advance ratio V/(n D)"},
+                           {"CT", "1", "Thrust coefficient: T = CT rho n^2 D^4"},
+                           {"CP", "1", "Power coefficient: P = CP rho n^3 D^5"},
                            {"efficiency", "%", "J CT/CP"}});
   for (const AdvancePoint& p : curves.points) {
     recording->append(
@@ -35,8 +36,8 @@ ChartSpec chart() {
   ChartSpec spec;
   spec.title = "Coefficients over the advance ratio";
   spec.kind = ChartKind::XY;
-  spec.x = "advance_ratio";
-  spec.channels = "thrust_coefficient, power_coefficient, efficiency";
+  spec.x = std::string("J");  // g++ 12 sees an overflow in the plain assignment
+  spec.channels = "CT, CP, efficiency";
   return spec;
 }
 
@@ -94,7 +95,7 @@ QString PropellerFigures::text() const {
 
 void PropellerFigures::compute() {
   const PropellerCurves curves =
-      propellerCurves(BladeElementRotor(geometry_), speed_->value() * kRpm, AirState{});
+      propellerCurves(BladeElementRotor(geometry_), speed_->value() * kRpm, AirState{}, kStep);
   const QLocale locale;
   const AdvancePoint& rest = curves.points.front();
   QStringList parts{tr("At rest CT %1, CP %2, figure of merit %3")

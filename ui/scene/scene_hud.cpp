@@ -92,7 +92,7 @@ QString cameraName(CameraMode mode) {
 
 SceneHud sceneHud(const SceneStage& stage, const QSizeF& size) {
   SceneHud hud;
-  if (!stage.model()) return hud;
+  if (!stage.model() || !stage.options().writing) return hud;
   const CameraView view = stage.camera().view(size.width() / std::max(size.height(), 1.0));
   const Projector project(view, size.width(), size.height());
   if (stage.flies()) {

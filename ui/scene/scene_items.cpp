@@ -178,7 +178,7 @@ Placement placeVehiclePart(const SceneItem& item, const SceneModel& model, const
 SceneSize sceneSize(const SceneModel& model) {
   SceneSize size;
   double reach = model.bodyRadius;
-  size.planar = !model.rotors.empty();
+  size.planar = model.rotors.size() > 1;
   for (const SceneRotor& rotor : model.rotors) {
     reach = std::max(reach, rotor.position.norm() + rotor.radius);
     if (std::abs(rotor.position.x()) > 1e-9) size.planar = false;

@@ -20,6 +20,7 @@ struct SceneOptions {
   bool grid = true;
   bool axes = true;
   bool setPoint = true;
+  bool writing = true;  ///< time, height, camera
   bool operator==(const SceneOptions&) const = default;
 };
 

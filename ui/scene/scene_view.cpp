@@ -123,9 +123,13 @@ void SceneView::mouseDoubleClickEvent(QMouseEvent* event) {
   event->accept();
 }
 
-void SceneView::wheelEvent(QWheelEvent* event) {
-  stage_.camera().zoom(std::pow(0.85, event->angleDelta().y() / 120.0));
+void SceneView::zoom(double factor) {
+  stage_.camera().zoom(factor);
   requestFrame();
+}
+
+void SceneView::wheelEvent(QWheelEvent* event) {
+  zoom(std::pow(0.85, event->angleDelta().y() / 120.0));
   event->accept();
 }
 

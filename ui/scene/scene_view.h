@@ -28,6 +28,8 @@ class SceneView : public QWidget {
   void setTime(double time);
   void setCameraMode(CameraMode mode);
   void resetCamera();
+  /// Below 1: closer.
+  void zoom(double factor);
   void setOptions(const SceneOptions& options);
 
   [[nodiscard]] double time() const { return stage_.time(); }

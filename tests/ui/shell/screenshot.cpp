@@ -1,8 +1,11 @@
 // Pictures of the real window for the README and for the eye: opens an experiment from the gallery, flies it for
 // a while and saves what the window shows. Not a test.
 //   rotorbench-screenshot OUT.png [--experiment NAME] [--seconds S] [--theme light|dark] [--size WxH] [--locale de]
-// Without --experiment the start page is shown.
+//                        [--section PATH] [--tool NAME]
+// Without --experiment the start page is shown. With a tool of the Tools menu the picture is of its dialog, of the
+// given size.
 #include <QCommandLineParser>
+#include <QDialog>
 #include <QSurfaceFormat>
 
 #include "sim/experiment/resources.h"
@@ -16,6 +19,7 @@ void describe(QCommandLineParser& parser) {
   parser.addPositionalArgument("OUT.png", "Picture to write.");
   parser.addOption({"experiment", "Name of a ready experiment.", "NAME"});
   parser.addOption({"section", "Section of the form to show.", "PATH"});
+  parser.addOption({"tool", "Object name of an action of the Tools menu.", "NAME"});
   parser.addOption({"seconds", "Simulated time at which the picture is taken.", "S", "12"});
   parser.addOption({"theme", "light or dark", "THEME", "light"});
   parser.addOption({"size", "Width and height of the window.", "WxH", "1600x1000"});
@@ -37,6 +41,21 @@ void fly(MainWindow& window, const QCommandLineParser& options) {
   QTRY_VERIFY(window.controller().state() != RunState::Running);
 }
 
+/// The dialog that the action opens, at this size; the window itself if none comes.
+QWidget* toolDialog(MainWindow& window, const QString& name, QSize size) {
+  auto* action = window.findChild<QAction*>(name);
+  if (action == nullptr) qFatal("There is no action of this name.");
+  QTimer::singleShot(0, action, &QAction::trigger);
+  QTest::qWait(500);
+  for (QWidget* widget : QApplication::topLevelWidgets()) {
+    if (widget == &window || !widget->isVisible() || qobject_cast<QDialog*>(widget) == nullptr)
+      continue;
+    widget->resize(size);
+    return widget;
+  }
+  return &window;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -56,8 +75,11 @@ int main(int argc, char** argv) {
 
   MainWindow window;
   window.show();
-  window.resize(size.value(0).toInt(), size.value(1).toInt());
+  const QSize wanted(size.value(0).toInt(), size.value(1).toInt());
+  window.resize(wanted);
   if (options.isSet("experiment")) fly(window, options);
+  QWidget* shown = &window;
+  if (options.isSet("tool")) shown = toolDialog(window, options.value("tool"), wanted);
   QTest::qWait(1500);  // the picture of the 3D view arrives a few frames later
-  return window.grab().save(options.positionalArguments().value(0)) ? 0 : 1;
+  return shown->grab().save(options.positionalArguments().value(0)) ? 0 : 1;
 }
