@@ -4,7 +4,7 @@
 
 # shellcheck disable=SC2034  # each script picks the sets it needs
 build_packages=(
-  cmake ninja-build g++
+  cmake ninja-build g++ mold
   qt6-base-dev qt6-charts-dev qt6-3d-dev qt6-svg-dev libqt6opengl6-dev libgl-dev
   libeigen3-dev nlohmann-json3-dev libcli11-dev
 )

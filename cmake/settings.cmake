@@ -27,3 +27,9 @@ endif()
 set(ROTORBENCH_PRECOMPILED <Eigen/Core> <Eigen/Geometry> <algorithm> <array> <atomic> <cmath> <cstdint>
     <filesystem> <functional> <limits> <map> <memory> <optional> <span> <string> <string_view> <utility>
     <variant> <vector>)
+
+# A hundred programs are linked with the libraries: this linker takes a fifth of the time.
+find_program(MOLD_PROGRAM mold)
+if(MOLD_PROGRAM)
+  add_link_options(-fuse-ld=mold)
+endif()
