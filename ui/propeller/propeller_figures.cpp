@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-#include "sim/propulsion/propeller_curves.h"
+#include "sim/propulsion/advance_sweep.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/form_style.h"
 
@@ -18,7 +18,7 @@ constexpr double kRpm = 2 * std::numbers::pi / 60;
 constexpr double kStep = 0.02;                             // of the advance ratio
 constexpr double kFirstSpeed = 5000, kMostSpeed = 100000;  // rpm
 
-std::shared_ptr<const Recording> recordingOf(const PropellerCurves& curves) {
+std::shared_ptr<const Recording> recordingOf(const AdvanceSweep& curves) {
   auto recording = std::make_shared<Recording>(
       std::vector<Channel>{{"J", "1", "Advance ratio V/(n D)"},
                            {"CT", "1", "Thrust coefficient: T = CT rho n^2 D^4"},
@@ -94,8 +94,8 @@ QString PropellerFigures::text() const {
 }
 
 void PropellerFigures::compute() {
-  const PropellerCurves curves =
-      propellerCurves(BladeElementRotor(geometry_), speed_->value() * kRpm, AirState{}, kStep);
+  const AdvanceSweep curves =
+      advanceSweep(BladeElementRotor(geometry_), speed_->value() * kRpm, AirState{}, kStep);
   const QLocale locale;
   const AdvancePoint& rest = curves.points.front();
   QStringList parts{tr("At rest CT %1, CP %2, figure of merit %3")

@@ -7,7 +7,7 @@
 #include <QtTest>
 
 #include "sim/experiment/experiment.h"
-#include "sim/propulsion/propeller_curves.h"
+#include "sim/propulsion/advance_sweep.h"
 #include "ui/propeller/blade_curves.h"
 #include "ui/propeller/propeller_editor.h"
 #include "ui/propeller/propeller_figures.h"
@@ -76,7 +76,7 @@ class TestPropellerEditor : public QObject {
     QTest::keyClicks(speed, "4800");
     QTest::keyClick(speed, Qt::Key_Return);
     const auto curves =
-        propellerCurves(BladeElementRotor(PropellerGeometry{}), 4800 * 2 * M_PI / 60, AirState{});
+        advanceSweep(BladeElementRotor(PropellerGeometry{}), 4800 * 2 * M_PI / 60, AirState{});
     const QString expected =
         "CT " + QLocale().toString(curves.points.front().thrustCoefficient, 'f', 4);
     QTRY_VERIFY2(f.figures().contains(expected), qPrintable(f.figures()));

@@ -18,7 +18,7 @@ struct AdvancePoint {
   double efficiency = 0;         ///< eta; 0 unless both thrust and power are positive
 };
 
-struct PropellerCurves {
+struct AdvanceSweep {
   std::vector<AdvancePoint> points;  ///< from rest to a little beyond zero thrust
   double figureOfMerit = 0;          ///< ideal over actual power at rest, CT^1.5 sqrt(2/pi)/CP
   std::optional<AdvancePoint> best;  ///< of the highest efficiency among the points
@@ -30,7 +30,7 @@ AdvancePoint advancePoint(const BladeElementRotor& rotor, double omega, double a
                           const AirState& air);
 
 /// Steps of J from rest until the thrust is negative, at most to J = 2. The step is above 0.
-PropellerCurves propellerCurves(const BladeElementRotor& rotor, double omega, const AirState& air,
-                                double step = 0.05);
+AdvanceSweep advanceSweep(const BladeElementRotor& rotor, double omega, const AirState& air,
+                          double step = 0.05);
 
 }  // namespace rotorbench

@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/propulsion/propeller_curves.h"
+#include "sim/propulsion/advance_sweep.h"
 
 using namespace rotorbench;
 using std::numbers::pi;
 
-class TestPropellerCurves : public QObject {
+class TestAdvanceSweep : public QObject {
   Q_OBJECT
 
   const PropellerGeometry geometry;
@@ -39,7 +39,7 @@ class TestPropellerCurves : public QObject {
   }
 
   void curvesEndBeyondZeroThrust() {
-    const PropellerCurves curves = propellerCurves(rotor, kOmega, air);
+    const AdvanceSweep curves = advanceSweep(rotor, kOmega, air);
     QVERIFY(curves.zeroThrust && curves.best);
     const double speed = *curves.zeroThrust * kOmega / (2 * pi) * geometry.diameter;
     const double rest = curves.points.front().thrustCoefficient;
@@ -50,7 +50,7 @@ class TestPropellerCurves : public QObject {
   }
 
   void figureOfMeritIsIdealOverActualPower() {
-    const PropellerCurves curves = propellerCurves(rotor, kOmega, air);
+    const AdvanceSweep curves = advanceSweep(rotor, kOmega, air);
     const AxialLoad rest = rotor.axial(kOmega, 0, air);
     const double area = pi * geometry.diameter * geometry.diameter / 4;
     const double ideal = std::pow(rest.thrust, 1.5) / std::sqrt(2 * air.density * area);
@@ -59,7 +59,7 @@ class TestPropellerCurves : public QObject {
   }
 
   void withoutAirThereIsNothing() {
-    const PropellerCurves curves = propellerCurves(rotor, kOmega, {0, 1.8e-5});
+    const AdvanceSweep curves = advanceSweep(rotor, kOmega, {0, 1.8e-5});
     for (const AdvancePoint& p : curves.points) {
       QVERIFY(std::isfinite(p.thrustCoefficient) && std::isfinite(p.powerCoefficient));
     }
@@ -67,5 +67,5 @@ class TestPropellerCurves : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestPropellerCurves)
-#include "test_propeller_curves.moc"
+QTEST_APPLESS_MAIN(TestAdvanceSweep)
+#include "test_advance_sweep.moc"

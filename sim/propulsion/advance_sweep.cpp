@@ -1,4 +1,4 @@
-#include "sim/propulsion/propeller_curves.h"
+#include "sim/propulsion/advance_sweep.h"
 
 #include <cmath>
 #include <numbers>
@@ -20,12 +20,12 @@ AdvancePoint advancePoint(const BladeElementRotor& rotor, double omega, double a
   return point;
 }
 
-PropellerCurves propellerCurves(const BladeElementRotor& rotor, double omega, const AirState& air,
-                                double step) {
+AdvanceSweep advanceSweep(const BladeElementRotor& rotor, double omega, const AirState& air,
+                          double step) {
   constexpr double kMostAdvance = 2;
   const double speedPerAdvance = omega / (2 * std::numbers::pi) * 2 * rotor.radius();
   const int most = static_cast<int>(std::floor(kMostAdvance / step + 1e-9));
-  PropellerCurves curves;
+  AdvanceSweep curves;
   for (int k = 0; k <= most; ++k) {
     const AdvancePoint point = advancePoint(rotor, omega, k * step * speedPerAdvance, air);
     if (!curves.points.empty() && !curves.zeroThrust && point.thrustCoefficient < 0) {
