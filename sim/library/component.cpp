@@ -7,6 +7,7 @@
 #include "sim/propulsion/battery.h"
 #include "sim/propulsion/blade.h"
 #include "sim/propulsion/esc.h"
+#include "sim/propulsion/measured_propeller.h"
 #include "sim/propulsion/motor.h"
 #include "sim/propulsion/polar_section.h"
 #include "sim/propulsion/rotor.h"
@@ -24,6 +25,8 @@ const std::vector<ComponentKind>& componentKinds() {
                                   {"series", "parallel", "capacity", "resistance"}),
       makeKind<PropellerGeometry>("propeller", "Propeller", "propellers",
                                   {"diameter", "pitch", "blades"}),
+      makeKind<MeasuredPropeller>("measured-propeller", "Measured propeller", "measured-propellers",
+                                  {"diameter"}),
       makeKind<PropellerCoefficients>("propeller-coefficients", "Propeller coefficients",
                                       "propeller-coefficients",
                                       {"diameter", "thrustCoefficient", "powerCoefficient"}),

@@ -7,6 +7,7 @@
 #include "sim/propulsion/battery.h"
 #include "sim/propulsion/blade_element.h"
 #include "sim/propulsion/esc.h"
+#include "sim/propulsion/measured_propeller.h"
 #include "sim/vehicle/multirotor.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
@@ -80,6 +81,8 @@ class TestShippedComponents : public QObject {
   void escs();
   void propellers_data() { rows<PropellerGeometry>(); }
   void propellers();
+  void measuredPropellers_data() { rows<MeasuredPropeller>(); }
+  void measuredPropellers();
   void propellerCoefficients_data() { rows<PropellerCoefficients>(); }
   void propellerCoefficients();
   void rotorCoefficients_data() { rows<RotorCoefficients>(); }
@@ -194,6 +197,25 @@ void TestShippedComponents::propellers() {
   const double ct = load.thrust / (kAir.density * n * n * std::pow(g.diameter, 4));
   BETWEEN(ct, 0.03, 0.13 + 0.04 * g.blades);
   BETWEEN(figureOfMerit(load.thrust, load.torque * w, g.diameter), 0.2, 0.85);
+}
+
+void TestShippedComponents::measuredPropellers() {
+  QFETCH(const LibraryEntry*, entry);
+  bool rest = false;
+  for (const CoefficientPoint& p : entry->component.as<MeasuredPropeller>()->points) {
+    BETWEEN(p.advanceRatio, 0, 1.5);
+    BETWEEN(p.thrustCoefficient, -0.1, 0.25);
+    BETWEEN(p.powerCoefficient, -0.05, 0.15);
+    // What comes out, T V, is less than what goes in: CT J < CP.
+    if (p.thrustCoefficient > 0.02)
+      QVERIFY(p.thrustCoefficient * p.advanceRatio < p.powerCoefficient);
+    if (p.advanceRatio > 0) continue;
+    rest = true;
+    const double merit =
+        std::pow(p.thrustCoefficient, 1.5) / p.powerCoefficient / std::sqrt(std::numbers::pi / 2);
+    BETWEEN(merit, 0.3, 0.85);
+  }
+  QVERIFY(rest);
 }
 
 void TestShippedComponents::propellerCoefficients() {
