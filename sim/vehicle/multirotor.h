@@ -252,6 +252,12 @@ class Multirotor {
   };
   template <class S>
   [[nodiscard]] Electrical<S> electrical(const CommandOf<S>& command, const StateOf<S>& y) const;
+  /// Some motor's terminals would leave the band around its back-EMF.
+  template <class S>
+  [[nodiscard]] bool beyondBand(const LanesOf<S>& excess) const;
+  template <class S>
+  void limitCurrent(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
+                    Electrical<S>& at) const;
   template <class S>
   using LoadOf = RotorLoad<LanesOf<S>, std::array<LanesOf<S>, 3>>;
   /// Rotor by rotor, where one at least is not lumped.

@@ -52,8 +52,6 @@ template <int N, RotorDrive Drive>
 template <class S>
 inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive>::electrical(
     const CommandOf<S>& command, const StateOf<S>& y) const {
-  using std::max;
-  using std::sqrt;
   using Lanes = LanesOf<S>;
   const auto& lanes = constants_.lanes;
   const Lanes current = y.template segment<N>(Layout::kCurrent).array();
@@ -65,23 +63,44 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   const Lanes free = command.array() * at.bus - lanes.escResistance * current;
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = free;
-  bool limited = false;
-  for (int i = 0; i < N; ++i) {
-    const double excess = valueOf(free[i]) - valueOf(back[i]);
-    if (excess > lanes.voltageBand[i] || excess < -lanes.voltageBand[i]) {
-      at.voltage[i] = back[i] + (excess > 0 ? lanes.voltageBand[i] : -lanes.voltageBand[i]);
-      limited = true;
-    }
-  }
-  if (limited) {
-    // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
-    // root being the stable one.
-    const S power = Lanes((at.voltage + lanes.escResistance * current) * current).sum();
-    const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
-    at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));
-    at.supplyCurrent = power / at.bus;
-  }
+  const Lanes excess = free - back;
+  if (beyondBand(excess)) limitCurrent(current, back, inner, at);
   return at;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+inline bool Multirotor<N, Drive>::beyondBand(const LanesOf<S>& excess) const {
+  const auto& band = constants_.lanes.voltageBand;
+  if constexpr (std::is_same_v<S, double>) {
+    return (excess.abs() > band).any();
+  } else {
+    for (int i = 0; i < N; ++i) {
+      if (std::abs(valueOf(excess[i])) > band[i]) return true;
+    }
+    return false;
+  }
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::limitCurrent(const LanesOf<S>& current,
+                                                          const LanesOf<S>& back, const S& inner,
+                                                          Electrical<S>& at) const {
+  using std::max;
+  using std::sqrt;
+  using Lanes = LanesOf<S>;
+  const auto& lanes = constants_.lanes;
+  for (int i = 0; i < N; ++i) {
+    const double excess = valueOf(at.voltage[i]) - valueOf(back[i]), band = lanes.voltageBand[i];
+    if (std::abs(excess) > band) at.voltage[i] = back[i] + (excess > 0 ? band : -band);
+  }
+  // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
+  // root being the stable one.
+  const S power = Lanes((at.voltage + lanes.escResistance * current) * current).sum();
+  const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
+  at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));
+  at.supplyCurrent = power / at.bus;
 }
 
 template <int N, RotorDrive Drive>
@@ -122,15 +141,22 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
     hubVelocity[k] =
         v[axis] + (w[(axis + 1) % 3] * lanes.arm[b] - w[(axis + 2) % 3] * lanes.arm[a]);
   }
-  const LoadOf<S> load = c.lumped
-                             ? lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density)
-                             : mixedLoads<S>(speed, hubVelocity, density);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-    const Lanes turning =
-        load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
-    force[static_cast<int>(k)] += load.force[k].sum();
-    moment[static_cast<int>(k)] += turning.sum();
+  Lanes thrust, torque;
+  const auto add = [&](const LoadOf<S>& load) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      const Lanes turning =
+          load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
+      force[static_cast<int>(k)] += load.force[k].sum();
+      moment[static_cast<int>(k)] += turning.sum();
+    }
+    thrust = load.thrust;
+    torque = load.torque;
+  };
+  if (c.lumped) {
+    add(lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density));
+  } else {
+    add(mixedLoads<S>(speed, hubVelocity, density));
   }
 
   Electrical<S> at{Lanes::Constant(S(0.0)), S(c.openCircuit), S(0.0)};
@@ -139,7 +165,7 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   if constexpr (Drive == RotorDrive::Motors) {
     const Lanes current = y.template segment<N>(L::kCurrent).array();
     at = electrical<S>(command, y);
-    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - load.torque) *
+    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - torque) *
                 lanes.inverseInertia;
     currentRate = lanes.motor.currentRate(at.voltage, current, speed);
   } else {
@@ -164,7 +190,7 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   dydt[L::kPolarisation] = (c.supply.polarisation * at.supplyCurrent - y[L::kPolarisation]) *
                            c.supply.inversePolarisationTime;
   dydt[L::kEnergy] = at.bus * at.supplyCurrent;
-  sink(load.thrust, load.torque, at.voltage, w, force, at.bus, at.supplyCurrent);
+  sink(thrust, torque, at.voltage, w, force, at.bus, at.supplyCurrent);
 }
 
 }  // namespace rotorbench
