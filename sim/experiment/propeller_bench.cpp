@@ -238,24 +238,27 @@ MetricTable PropellerBenchSimulation::metrics() const {
   const double area = kPi * rotor_.radius() * rotor_.radius();
   const double power = static_.torque * at_.speed;
   const double ideal = static_.thrust * std::sqrt(static_.thrust / (2 * air_.density * area));
-  return {{"Run",
-           {{"static_ct", "1", "Thrust coefficient at rest in the air, at the speed of the curves",
-             still.thrust},
-            {"static_cp", "1", "Power coefficient at rest in the air", still.power},
-            {"static_thrust", "N", "Thrust at rest in the air", static_.thrust},
-            {"static_torque", "N*m", "Torque at rest in the air", static_.torque},
-            {"figure_of_merit", "1", "Ideal hover power of the thrust over the power at rest",
-             static_.thrust > 0 && power > 0 ? ideal / power : kNone},
-            {"peak_efficiency", "1", "Best efficiency over the advance ratio", peak.y},
-            {"peak_efficiency_advance_ratio", "1", "Advance ratio of the best efficiency", peak.x},
-            {"zero_thrust_advance_ratio", "1", "Advance ratio at which the thrust ends",
-             fallsThroughZero(advance, j, *advance.find("over_advance.ct"))},
-            {"vortex_ring_share", "1",
-             "Largest part of the disc in the vortex ring state over the advance ratio",
-             largestValue(advance, "over_advance.vortex_ring_share")},
-            {"peak_thrust", "N", "Largest thrust of the run", largestValue(*run_, "thrust")},
-            {"peak_torque", "N*m", "Largest torque of the run", largestValue(*run_, "torque")},
-            {"peak_power", "W", "Largest power of the run", largestValue(*run_, "power")}}}};
+  return {
+      {"Run",
+       {{"static_ct", "1", "Thrust coefficient at rest in the air, at the speed of the curves",
+         still.thrust},
+        {"static_cp", "1", "Power coefficient at rest in the air", still.power},
+        {"static_thrust", "N", "Thrust at rest in the air", static_.thrust},
+        {"static_torque", "N*m", "Torque at rest in the air", static_.torque},
+        {"figure_of_merit", "1", "Ideal hover power of the thrust over the power at rest",
+         static_.thrust > 0 && power > 0 ? ideal / power : kNone},
+        {"peak_efficiency", "1", "Best efficiency over the advance ratio", peak.y},
+        {"peak_efficiency_advance_ratio", "1", "Advance ratio of the best efficiency", peak.x},
+        {"zero_thrust_advance_ratio", "1", "Advance ratio at which the thrust ends",
+         fallsThroughZero(advance, j, *advance.find("over_advance.ct"))},
+        {"vortex_ring_share", "1",
+         "Largest part of the disc in the vortex ring state over the advance ratio",
+         largestValue(advance, "over_advance.vortex_ring_share")},
+        {"chosen_thrust", "N", "Thrust at the speed and air speed of the curves", chosen_.thrust},
+        {"chosen_torque", "N*m", "Torque at the speed and air speed of the curves", chosen_.torque},
+        {"peak_thrust", "N", "Largest thrust of the run", largestValue(*run_, "thrust")},
+        {"peak_torque", "N*m", "Largest torque of the run", largestValue(*run_, "torque")},
+        {"peak_power", "W", "Largest power of the run", largestValue(*run_, "power")}}}};
 }
 
 }  // namespace
