@@ -160,7 +160,7 @@ void PropellerBenchSimulation::addCurves(const OutputSettings& outputs) {
        {"over_speed.cp", "1", "Power coefficient, P/(rho n^3 D^5)"}},
       at_.points, &Sim::overSpeed);
   add("Over advance ratio",
-      {{"over_advance.advance_ratio", "1", "Advance ratio J = V/(n D)"},
+      {{"over_advance.j", "1", "Advance ratio J = V/(n D)"},
        {"over_advance.air_speed", "m/s", "Air speed along the axis"},
        {"over_advance.thrust", "N", "Thrust"},
        {"over_advance.torque", "N*m", "Torque"},
@@ -172,16 +172,16 @@ void PropellerBenchSimulation::addCurves(const OutputSettings& outputs) {
       at_.points, &Sim::overAdvance);
   add("Along the blade",
       {{"along_blade.radius", "1", "Radius r/R"},
-       {"along_blade.angle_of_attack", "rad", "Angle of attack"},
-       {"along_blade.inflow_angle", "rad", "Inflow angle, from the plane of rotation"},
+       {"along_blade.alpha", "rad", "Angle of attack"},
+       {"along_blade.phi", "rad", "Inflow angle, from the plane of rotation"},
        {"along_blade.twist", "rad", "Pitch of the section, from the plane of rotation"},
-       {"along_blade.induced_velocity", "m/s", "Induced velocity"},
+       {"along_blade.induced", "m/s", "Induced velocity"},
        {"along_blade.swirl", "m/s", "Swirl at the section"},
-       {"along_blade.lift_coefficient", "1", "Lift coefficient"},
-       {"along_blade.drag_coefficient", "1", "Drag coefficient"},
+       {"along_blade.cl", "1", "Lift coefficient"},
+       {"along_blade.cd", "1", "Drag coefficient"},
        {"along_blade.reynolds", "1", "Reynolds number of the chord"},
-       {"along_blade.thrust_per_radius", "N/m", "Thrust per radius, all blades"},
-       {"along_blade.torque_per_radius", "N", "Torque per radius, all blades"}},
+       {"along_blade.dt_dr", "N/m", "Thrust per radius, all blades"},
+       {"along_blade.dq_dr", "N", "Torque per radius, all blades"}},
       rotor_.elements(), &Sim::alongBlade);
   add("Edgewise",
       {{"edgewise.ratio", "1", "Air speed in the plane of rotation over the tips' speed"},
@@ -191,8 +191,8 @@ void PropellerBenchSimulation::addCurves(const OutputSettings& outputs) {
        {"edgewise.power", "W", "Power on the shaft"},
        {"edgewise.drag", "N", "In-plane force against the motion of the hub (H-force)"},
        {"edgewise.side", "N", "In-plane force across the motion of the hub"},
-       {"edgewise.roll_moment", "N*m", "Hub moment, thrust across the motion of the hub"},
-       {"edgewise.pitch_moment", "N*m", "Hub moment, thrust along the motion of the hub"}},
+       {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"},
+       {"edgewise.pitch", "N*m", "Hub moment, thrust along the motion of the hub"}},
       at_.points, &Sim::edgewise);
 }
 
@@ -232,7 +232,7 @@ void PropellerBenchSimulation::edgewise(Recording& r, double place) {
 
 MetricTable PropellerBenchSimulation::metrics() const {
   const Recording& advance = *runs()[2].recording;
-  const std::size_t j = *advance.find("over_advance.advance_ratio");
+  const std::size_t j = *advance.find("over_advance.j");
   const CurvePeak peak = peakOf(advance, j, *advance.find("over_advance.efficiency"));
   const Coefficients still = coefficients(static_, at_.speed, diameter_, air_.density);
   const double area = kPi * rotor_.radius() * rotor_.radius();

@@ -140,7 +140,7 @@ class DriveTrain {
                      escResistance_ * at.current);
     const S band = S(motor_.resistance * maxCurrent_);
     at.motorVoltage = quasiStatic_ ? S(motor_.resistance * at.current + back)
-                                   : S(min(max(free, back - band), back + band));
+                                   : S(min(S(max(free, S(back - band))), S(back + band)));
     // Without braking no current flows back: the terminals float at the back-EMF.
     if (!activeBraking_ && !(at.current > 0)) at.motorVoltage = max(at.motorVoltage, back);
     // The converter keeps the power; the bus voltage follows from the one that is drawn.

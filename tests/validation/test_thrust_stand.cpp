@@ -42,7 +42,7 @@ class TestThrustStand : public QObject {
     Experiment experiment = shipped("thrust-stand-x2216");
     auto& bench = std::get<ThrustStand>(experiment.setup);
     auto& battery = std::get<BatteryParameters>(bench.stand.supply);
-    battery.capacity = 1e9;
+    battery.capacity = 1e7;
     battery.polarisationTime = 0.02;
     std::get<ThrottleLevels>(bench.procedure).holdTime = 2;
     const auto simulation = runToEnd(experiment);
