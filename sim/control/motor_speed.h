@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "sim/control/pid.h"
 #include "sim/propulsion/motor.h"
@@ -25,13 +26,15 @@ struct MotorSpeedParameters {
 
 class MotorSpeedController {
  public:
+  /// `limited` false: no limit of voltage, current or demand, as if the drive could do anything.
   MotorSpeedController(const MotorSpeedParameters& parameters, const MotorConstants& motor,
-                       double rotorInertia, double torqueFactor)
-      : pid_(parameters.pid, 1 / parameters.rate),
+                       double rotorInertia, double torqueFactor, bool limited = true)
+      : pid_(limited ? parameters.pid : withoutLimit(parameters.pid), 1 / parameters.rate),
         motor_(motor),
         torqueFactor_(torqueFactor),
         voltsPerAcceleration_(rotorInertia * motor.resistance / motor.torqueConstant),
-        feedForward_(parameters.feedForward) {}
+        feedForward_(parameters.feedForward),
+        limited_(limited) {}
 
   /// Terminal voltage in V for a set-point and measured speed in rad/s and the measured bus voltage in V.
   /// Within 0..bus and, as far as these allow, the band around K_b w that keeps the current within its limit.
@@ -45,7 +48,7 @@ class MotorSpeedController {
     const double back = motor_.torqueConstant * speed, band = motor_.resistance * motor_.maxCurrent;
     const double high = std::clamp(back + band, 0.0, bus);
     const double low = std::clamp(back - band, 0.0, high);
-    const double voltage = std::clamp(wanted, low, high);
+    const double voltage = limited_ ? std::clamp(wanted, low, high) : wanted;
     pid_.accept(acceleration + (voltage - wanted) / voltsPerAcceleration_);
     return voltage;
   }
@@ -54,10 +57,16 @@ class MotorSpeedController {
   [[nodiscard]] double integral() const { return pid_.integral(); }
 
  private:
+  using Parameters = PidParameters<PidUse::RotorSpeed>;
+  static Parameters withoutLimit(Parameters pid) {
+    pid.limit = std::numeric_limits<double>::infinity();
+    return pid;
+  }
+
   Pid pid_;
   MotorConstants motor_;
   double torqueFactor_, voltsPerAcceleration_;
-  bool feedForward_;
+  bool feedForward_, limited_;
 };
 
 template <>

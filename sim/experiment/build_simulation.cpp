@@ -18,6 +18,14 @@ std::unique_ptr<Simulation> build(const MotorBench& bench, const Experiment& e,
                                   const std::filesystem::path& /*directory*/) {
   return buildMotorBench(bench, e.outputs);
 }
+std::unique_ptr<Simulation> build(const PropellerBench& bench, const Experiment& e,
+                                  const std::filesystem::path& /*directory*/) {
+  return buildPropellerBench(bench, e.outputs);
+}
+std::unique_ptr<Simulation> build(const ThrustStand& stand, const Experiment& e,
+                                  const std::filesystem::path& /*directory*/) {
+  return buildThrustStand(stand, e.outputs);
+}
 std::unique_ptr<Simulation> build(const MotorSpeedRun& run, const Experiment& e,
                                   const std::filesystem::path& /*directory*/) {
   return buildMotorSpeedRun(run, e.outputs);

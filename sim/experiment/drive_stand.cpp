@@ -12,11 +12,12 @@ namespace rotorbench {
 
 namespace {
 
-/// Points of a propeller's curve over the speed.
-constexpr int kSpeedPoints = 64;
+/// Points of a propeller's curve over the speed; fewer do where only the step is judged.
+constexpr int kSpeedPoints = 64, kFewSpeedPoints = 4;
 
 struct LoadOf {
   double topSpeed;  ///< rad/s, never exceeded: the motor's speed at the full voltage of the supply
+  int points;
 
   ShaftLoad operator()(const FreeShaft& /*load*/) const { return {}; }
   ShaftLoad operator()(const BrakeLoad& load) const { return {.constant = load.torque}; }
@@ -30,10 +31,10 @@ struct LoadOf {
     const BladeElementRotor rotor(p.propeller, p.settings);
     const AirState air{p.airDensity, p.airViscosity};
     ShaftLoad load;
-    load.quadratic = load.thrust = {topSpeed / kSpeedPoints, {}};
-    for (int k = 0; k <= kSpeedPoints; ++k) {
+    load.quadratic = load.thrust = {topSpeed / points, {}};
+    for (int k = 0; k <= points; ++k) {
       // At rest the coefficients are those of the slowest turning, which is a limit and no division by zero.
-      const double w = topSpeed * std::max(k, 1) / kSpeedPoints;
+      const double w = topSpeed * std::max(k, 1) / points;
       const AxialLoad at = rotor.axial(w, 0, air);
       load.quadratic.values.push_back(at.torque / (w * w));
       load.thrust.values.push_back(at.thrust / (w * w));
@@ -42,16 +43,29 @@ struct LoadOf {
   }
 };
 
+DriveTrainSetup setupOf(const DriveStand& stand, int speedPoints) {
+  const double topSpeed = Supply(stand.supply).openCircuit(1.0) * stand.motor.speedConstant;
+  return {.supply = stand.supply,
+          .esc = stand.esc,
+          .motor = stand.motor,
+          .load = std::visit(LoadOf{topSpeed, speedPoints}, stand.load),
+          .inertia = stand.inertia,
+          .quasiStaticCurrent = stand.quasiStaticCurrent};
+}
+
 }  // namespace
 
 DriveTrain buildDriveTrain(const DriveStand& stand) {
-  const double topSpeed = Supply(stand.supply).openCircuit(1.0) * stand.motor.speedConstant;
-  return DriveTrain({.supply = stand.supply,
-                     .esc = stand.esc,
-                     .motor = stand.motor,
-                     .load = std::visit(LoadOf{topSpeed}, stand.load),
-                     .inertia = stand.inertia,
-                     .quasiStaticCurrent = stand.quasiStaticCurrent});
+  return DriveTrain(setupOf(stand, kSpeedPoints));
+}
+
+DriveTrain buildUnlimitedDriveTrain(const DriveStand& stand) {
+  DriveTrainSetup setup = setupOf(stand, kSpeedPoints);
+  const Supply supply(stand.supply);
+  setup.supply = SupplyParameters{.voltage = supply.openCircuit(supply.charge)};
+  setup.esc.activeBraking = true;
+  setup.unlimited = true;
+  return DriveTrain(setup);
 }
 
 std::vector<Channel> driveChannels() {
@@ -66,34 +80,35 @@ std::vector<Channel> driveChannels() {
           {"motor.speed", "rad/s", "Angular speed"},
           {"motor.torque", "N*m", "Torque of the load on the shaft"},
           {"thrust", "N", "Thrust of the propeller"},
+          {"thrust_per_power", "N/W", "Thrust over electrical power"},
           {"power.electrical", "W", "Power drawn from the supply"},
           {"power.shaft", "W", "Power delivered to the load"},
           {"efficiency", "1", "Shaft power over electrical power"},
           {"power.residual", "W", "What the energy ledger leaves over: rounding"}};
 }
 
-void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, double* out) {
+void driveRow(const DriveTrain& train, double time, double asked, const DriveTrain::State& y,
+              double* out) {
   const DriveInstant<double> at = train.instant(y);
   const DrivePowers powers = train.powers(y);
   const double w = y[DriveTrain::kSpeed];
+  const double thrust = train.load().thrustAt(w);
   const double electrical = at.busVoltage * at.busCurrent;
   const double values[] = {
-      time,
-      train.throttle(),
-      at.duty,
-      at.busVoltage,
-      at.busCurrent,
-      y[DriveTrain::kCharge],
-      at.motorVoltage,
-      at.current,
-      w,
-      train.load().torque(w),
-      train.load().thrustAt(w),
-      electrical,
+      time, asked, at.duty, at.busVoltage, at.busCurrent, y[DriveTrain::kCharge], at.motorVoltage,
+      at.current, w, train.load().torque(w), thrust,
+      // While the propeller drives the motor the ratio says nothing.
+      electrical > 0 && powers.load <= electrical ? thrust / electrical : 0.0, electrical,
       powers.load,
       electrical > 0 && powers.load >= 0 ? std::min(powers.load / electrical, 1.0) : 0.0,
       powers.residual()};
   std::copy(std::begin(values), std::end(values), out);
+}
+
+void checkDriveMethod(const ode::SolverSettings& solver, std::vector<Problem>& problems) {
+  if (solver.method != ode::Method::ExponentialRk4) return;
+  problems.push_back({"solver.method", "Exponential RK4 is made for the motors of a vehicle",
+                      "choose another method, or quasi-static current"});
 }
 
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
@@ -102,7 +117,8 @@ void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solv
   // Rules are asked of documents with faults too, and nothing can be built of a stand that has some.
   const auto faults = schema::validate(schema::ref(stand));
   if (std::ranges::any_of(faults, [](const Problem& p) { return !p.warning; })) return;
-  const DriveTrain train = buildDriveTrain(stand);
+  // The motor makes the fast pole; the propeller's share of it changes little between few points.
+  const DriveTrain train(setupOf(stand, kFewSpeedPoints));
   const double top = train.steadySpeed(train.supply().openCircuit(1.0));
   const double pole = std::max(train.fastestPole(0), train.fastestPole(top));
   addUnstableStep({"run.solver.step", "the motor's fastest pole", "quasi-static current"}, pole,
@@ -190,9 +206,7 @@ void Describe<DriveRunSettings>::fields(schema::Builder<DriveRunSettings>& b) {
   b.check([](const P& p, std::vector<Problem>& problems) {
     if (p.tick > p.duration)
       problems.push_back({"tick", "is longer than the run", "at most the duration"});
-    if (p.solver.method == ode::Method::ExponentialRk4)
-      problems.push_back({"solver.method", "Exponential RK4 is made for the motors of a vehicle",
-                          "choose another method, or quasi-static current"});
+    checkDriveMethod(p.solver, problems);
   });
 }
 

@@ -14,7 +14,9 @@
 #include "sim/experiment/flight.h"
 #include "sim/experiment/motor_bench.h"
 #include "sim/experiment/motor_speed_run.h"
+#include "sim/experiment/propeller_bench.h"
 #include "sim/experiment/solver_comparison.h"
+#include "sim/experiment/thrust_stand.h"
 
 namespace rotorbench {
 
@@ -31,7 +33,9 @@ struct Experiment {
   std::string title = "New experiment";
   std::string summary;  ///< one line, shown on the gallery card
   std::string notes;    ///< as long as the user likes
-  std::variant<Flight, MotorBench, MotorSpeedRun, SolverComparison, BirotorMotion> setup;
+  std::variant<Flight, MotorBench, PropellerBench, ThrustStand, MotorSpeedRun, SolverComparison,
+               BirotorMotion>
+      setup;
   OutputSettings outputs;
   std::uint64_t seed = 1;
   bool operator==(const Experiment&) const = default;

@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 
+#include "sim/analysis/curve_figures.h"
 #include "sim/experiment/drive_simulation.h"
+#include "sim/experiment/steady_points.h"
 
 namespace rotorbench {
 
@@ -12,14 +14,6 @@ namespace {
 
 /// Points of the characteristic curves.
 constexpr int kCurvePoints = 201;
-
-double largest(const Recording& recording, const char* name) {
-  const auto column = recording.find(name);
-  double most = 0;
-  for (std::size_t row = 0; column && row < recording.rows(); ++row)
-    most = std::max(most, std::abs(recording.value(*column, row)));
-  return most;
-}
 
 class ThrottleCommander {
  public:
@@ -45,9 +39,9 @@ class ThrottleCommander {
         {"final_electrical_power", "W", "Power drawn at the end", last("power.electrical")},
         {"final_efficiency", "1", "Shaft power over electrical power at the end",
          last("efficiency")},
-        {"peak_current", "A", "Largest motor current", largest(r, "motor.current")},
+        {"peak_current", "A", "Largest motor current", largestMagnitude(r, "motor.current")},
         {"peak_ledger_residual", "W", "Largest amount the energy ledger does not account for",
-         largest(r, "power.residual")}};
+         largestMagnitude(r, "power.residual")}};
     addMotorFigures(train, metrics);
   }
 
@@ -74,7 +68,7 @@ class ThrottleCommander {
 class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
  public:
   MotorBenchSimulation(const MotorBench& bench, const OutputSettings& outputs)
-      : DriveSimulation(bench.stand, bench.run, outputs, ThrottleCommander(bench), kRuns) {
+      : DriveSimulation(bench.run, bench.stand.esc.deadTime, outputs, partsOf(bench), kRuns) {
     overSpeed(outputs);
     overVoltage(outputs);
     overThrottle(outputs);
@@ -82,6 +76,10 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
 
  private:
   static constexpr std::size_t kRuns = 4;
+
+  static std::vector<Part> partsOf(const MotorBench& bench) {
+    return {{"Run", buildDriveTrain(bench.stand), ThrottleCommander(bench)}};
+  }
 
   /// Thesis 2014, figures 3.16-3.17: torque, power and efficiency against speed at the full voltage.
   void overSpeed(const OutputSettings& outputs) {
@@ -95,7 +93,7 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
                           outputs, kRuns);
     const MotorConstants& m = train().motor();
     const double v = train().supply().openCircuit(train().supply().charge);
-    const double top = noLoadSpeed(m, v);
+    const double top = steadySpeed(m, ShaftLoad{}, v);
     for (int k = 0; k < kCurvePoints; ++k) {
       const double w = top * k / (kCurvePoints - 1);
       const double i = (v - m.torqueConstant * w) / m.resistance;
@@ -125,42 +123,8 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
 
   /// The thrust stand's curve: steady points, solved directly.
   void overThrottle(const OutputSettings& outputs) {
-    Recording& r =
-        addRun("Over throttle",
-               {{"over_throttle.throttle", "1", "Throttle"},
-                {"over_throttle.speed", "rad/s", "Angular speed"},
-                {"over_throttle.thrust", "N", "Thrust"},
-                {"over_throttle.supply_voltage", "V", "Voltage of the supply under load"},
-                {"over_throttle.supply_current", "A", "Current drawn from the supply"},
-                {"over_throttle.motor_current", "A", "Current of the motor"},
-                {"over_throttle.electrical_power", "W", "Power drawn from the supply"},
-                {"over_throttle.shaft_power", "W", "Power delivered to the load"},
-                {"over_throttle.efficiency", "1", "Shaft power over electrical power"},
-                {"over_throttle.thrust_per_power", "N/W", "Thrust over electrical power"}},
-               outputs, kRuns);
-    for (int k = 0; k < kCurvePoints; ++k) {
-      const double throttle = static_cast<double>(k) / (kCurvePoints - 1);
-      const auto y = train().steadyState(throttle, train().supply().charge, 0);
-      const auto at = train().instant(y);
-      const double w = y[DriveTrain::kSpeed], thrust = train().load().thrustAt(w);
-      const double electrical = at.busVoltage * at.busCurrent, shaft = train().load().torque(w) * w;
-      r.append(std::array{throttle, w, thrust, at.busVoltage, at.busCurrent, at.current, electrical,
-                          shaft, electrical > 0 ? shaft / electrical : 0,
-                          electrical > 0 ? thrust / electrical : 0});
-    }
-    r.finish();
-  }
-
-  /// Where the motor alone, without the load of the stand, settles.
-  static double noLoadSpeed(const MotorConstants& m, double v) {
-    double low = 0, high = v / m.torqueConstant;
-    for (int k = 0; k < 100; ++k) {
-      const double w = 0.5 * (low + high);
-      const double surplus =
-          m.torqueConstant * (v - m.torqueConstant * w) / m.resistance - m.friction(w);
-      (surplus > 0 ? low : high) = w;
-    }
-    return low;
+    Recording& r = addRun("Over throttle", steadyChannels("over_throttle"), outputs, kRuns);
+    recordSteadyPoints(train(), kCurvePoints, r);
   }
 };
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
+#include "sim/analysis/curve_figures.h"
 #include "sim/analysis/step_response.h"
 #include "sim/experiment/drive_simulation.h"
 
@@ -14,19 +17,21 @@ namespace {
 /// and the current, as the voltage lost in the speed controller is known too.
 class SpeedCommander {
  public:
-  SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train)
+  SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train, bool limited)
       : steps_(run.setPoints),
-        controller_(run.controller, motorSeen(run, train), train.inertia(),
-                    feedForward(run, train)),
+        controller_(run.controller, motorSeen(run, train), train.inertia(), feedForward(run, train),
+                    limited),
+        limited_(limited),
         every_(ticksBetween(run.controller.rate, run.run.tick, "setup.controller.rate")) {}
 
   double throttle(double t, const DriveTrain& train, const DriveTrain::State& y) {
-    if (calls_++ % every_ != 0) return train.throttle();
+    if (calls_++ % every_ != 0) return throttle_;
     while (next_ < steps_.size() && steps_[next_].time <= t + 1e-9)
       setPoint_ = steps_[next_++].speed;
     const double bus = train.instant(y).busVoltage;
     voltage_ = controller_.update(setPoint_, y[DriveTrain::kSpeed], bus);
-    return voltage_ / bus;
+    throttle_ = voltage_ / bus;
+    return throttle_;
   }
   [[nodiscard]] static std::vector<Channel> channels() {
     return {{"setpoint.speed", "rad/s", "Angular speed wanted"},
@@ -43,10 +48,6 @@ class SpeedCommander {
     std::vector<SetPointChange> changes;
     for (const SpeedStep& step : steps_) changes.push_back({step.time, step.speed});
     const StepFigures worst = worstFigures(r, *r.find("motor.speed"), changes);
-    const std::size_t current = *r.find("motor.current");
-    double peak = 0;
-    for (std::size_t row = 0; row < r.rows(); ++row)
-      peak = std::max(peak, std::abs(r.value(current, row)));
     metrics = {
         {"overshoot", "1", "Largest overshoot of a step, as a fraction of the step",
          worst.overshoot},
@@ -55,8 +56,10 @@ class SpeedCommander {
         {"rest_error", "rad/s",
          "Largest distance from the set-point in the last tenth of any part of the timeline",
          worst.restError},
-        {"peak_current", "A", "Largest motor current", peak},
-        {"current_limit", "A", "Limit of motor and speed controller", train.maxCurrent()}};
+        {"peak_current", "A", "Largest motor current", largestMagnitude(r, "motor.current")},
+        {"peak_voltage", "V", "Largest control signal", largestMagnitude(r, "controller.voltage")},
+        {"current_limit", "A", "Limit of motor and speed controller",
+         limited_ ? train.maxCurrent() : std::numeric_limits<double>::quiet_NaN()}};
   }
 
  private:
@@ -77,18 +80,28 @@ class SpeedCommander {
 
   std::vector<SpeedStep> steps_;
   MotorSpeedController controller_;
+  bool limited_;
   int every_;
   std::int64_t calls_ = 0;
   std::size_t next_ = 0;
-  double setPoint_ = 0, voltage_ = 0;
+  double setPoint_ = 0, voltage_ = 0, throttle_ = 0;
 };
 
 }  // namespace
 
 std::unique_ptr<Simulation> buildMotorSpeedRun(const MotorSpeedRun& run,
                                                const OutputSettings& outputs) {
-  return std::make_unique<DriveSimulation<SpeedCommander>>(
-      run.stand, run.run, outputs, SpeedCommander(run, buildDriveTrain(run.stand)));
+  using Simulated = DriveSimulation<SpeedCommander>;
+  std::vector<Simulated::Part> parts;
+  const auto add = [&](const char* name, DriveTrain train, bool limited) {
+    SpeedCommander commander(run, train, limited);
+    parts.push_back({name, std::move(train), std::move(commander)});
+  };
+  add(run.compareUnsaturated ? "With saturation" : "Run", buildDriveTrain(run.stand), true);
+  if (run.compareUnsaturated) add("Without saturation", buildUnlimitedDriveTrain(run.stand), false);
+  const std::size_t recordings = parts.size();
+  return std::make_unique<Simulated>(run.run, run.stand.esc.deadTime, outputs, std::move(parts),
+                                     recordings);
 }
 
 void Describe<SpeedStep>::fields(schema::Builder<SpeedStep>& b) {
@@ -110,6 +123,9 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
       .items(1, 100000)
       .table()
       .help("Times must rise from row to row.");
+  b.boolean("compareUnsaturated", &MotorSpeedRun::compareUnsaturated, "Compare without saturation")
+      .help(
+          "Runs the same steps a second time with a drive that gives any voltage and any current.");
   b.group("run", &MotorSpeedRun::run, "Run");
   b.check([](const MotorSpeedRun& m, std::vector<Problem>& problems) {
     for (std::size_t i = 1; i < m.setPoints.size(); ++i) {
@@ -117,10 +133,14 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
         problems.push_back({"setPoints[" + std::to_string(i) + "].time",
                             "is not later than the row before", "times must rise from row to row"});
     }
-    if (m.stand.esc.responseTime > 10 / m.controller.rate)
-      problems.push_back({"stand.esc.responseTime",
-                          "is longer than ten updates of the controller, which does not know of it",
-                          "expect overshoot, or shorten it", true});
+    const auto warnOfDelay = [&](double delay, const char* path) {
+      if (delay > 10 / m.controller.rate)
+        problems.push_back(
+            {path, "is longer than ten updates of the controller, which does not know of it",
+             "expect overshoot, or shorten it", true});
+    };
+    warnOfDelay(m.stand.esc.responseTime, "stand.esc.responseTime");
+    warnOfDelay(m.stand.esc.deadTime, "stand.esc.deadTime");
     warnOfUnstableStep(m.stand, m.run.solver, m.run.tick, problems);
   });
 }

@@ -23,6 +23,7 @@ struct MotorSpeedRun {
   DriveStand stand;
   MotorSpeedParameters controller;
   std::vector<SpeedStep> setPoints{{0, 0}, {0.1, 500}, {1, 300}};
+  bool compareUnsaturated = false;  ///< a second run without limits of voltage and current
   DriveRunSettings run;
   bool operator==(const MotorSpeedRun&) const = default;
 };

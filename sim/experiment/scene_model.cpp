@@ -80,6 +80,12 @@ std::optional<SceneModel> modelOf(const SolverComparison& comparison) {
 std::optional<SceneModel> modelOf(const MotorBench& /*bench*/) {
   return std::nullopt;
 }
+std::optional<SceneModel> modelOf(const PropellerBench& /*bench*/) {
+  return std::nullopt;
+}
+std::optional<SceneModel> modelOf(const ThrustStand& /*stand*/) {
+  return std::nullopt;
+}
 std::optional<SceneModel> modelOf(const MotorSpeedRun& /*run*/) {
   return std::nullopt;
 }

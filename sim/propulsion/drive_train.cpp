@@ -2,8 +2,37 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace rotorbench {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The w where a falling function passes zero, between 0 and `high`.
+template <class Function>
+double fallingRoot(Function&& f, double high) {
+  double low = 0;
+  if (!(f(low) > 0)) return 0;
+  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double steadySpeed(const MotorConstants& motor, const ShaftLoad& load, double v) {
+  const double sign = v < 0 ? -1 : 1;
+  const double free = std::abs(v) / motor.torqueConstant;
+  const auto surplus = [&](double w) {
+    const double i = (std::abs(v) - motor.torqueConstant * w) / motor.resistance;
+    return motor.torqueConstant * i - motor.friction(w) - load.torque(w);
+  };
+  return free > 0 ? sign * fallingRoot(surplus, free) : 0;
+}
 
 DriveTrain::DriveTrain(const DriveTrainSetup& setup)
     : supply_(setup.supply),
@@ -12,8 +41,12 @@ DriveTrain::DriveTrain(const DriveTrainSetup& setup)
       inverseInertia_(1 / setup.inertia),
       escResistance_(setup.esc.resistance),
       inverseResponse_(setup.esc.responseTime > 0 ? 1 / setup.esc.responseTime : 0),
-      maxCurrent_(std::min(setup.esc.maxCurrent, setup.motor.maxCurrent)),
-      reverse_(setup.esc.reverse),
+      maxCurrent_(setup.unlimited ? kInfinity
+                                  : std::min(setup.esc.maxCurrent, setup.motor.maxCurrent)),
+      leastThrottle_(setup.unlimited     ? -kInfinity
+                     : setup.esc.reverse ? -1
+                                         : 0),
+      mostThrottle_(setup.unlimited ? kInfinity : 1),
       activeBraking_(setup.esc.activeBraking),
       quasiStatic_(setup.quasiStaticCurrent) {}
 
@@ -23,8 +56,12 @@ DriveTrain::State DriveTrain::initialState() const {
   return y;
 }
 
+double DriveTrain::allowedThrottle(double throttle) const {
+  return std::clamp(throttle, leastThrottle_, mostThrottle_);
+}
+
 void DriveTrain::setThrottle(double throttle, State& y) {
-  throttle_ = std::clamp(throttle, reverse_ ? -1.0 : 0.0, 1.0);
+  throttle_ = allowedThrottle(throttle);
   if (inverseResponse_ == 0) y[kDuty] = throttle_;
 }
 
@@ -62,36 +99,10 @@ double DriveTrain::fastestPole(double w) const {
   return rotorbench::fastestPole(motor_, r, drag, 1 / inverseInertia_);
 }
 
-namespace {
-
-/// The w where a falling function passes zero, between 0 and `high`.
-template <class Function>
-double fallingRoot(Function&& f, double high) {
-  double low = 0;
-  if (!(f(low) > 0)) return 0;
-  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-}  // namespace
-
-double DriveTrain::steadySpeed(double v) const {
-  const double sign = v < 0 ? -1 : 1;
-  const double free = std::abs(v) / motor_.torqueConstant;
-  const auto surplus = [&](double w) {
-    const double i = (std::abs(v) - motor_.torqueConstant * w) / motor_.resistance;
-    return motor_.torqueConstant * i - motor_.friction(w) - load_.torque(w);
-  };
-  return free > 0 ? sign * fallingRoot(surplus, free) : 0;
-}
-
 DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
                                           double polarisation) const {
   State y = State::Zero();
-  y[kDuty] = std::clamp(throttle, reverse_ ? -1.0 : 0.0, 1.0);
+  y[kDuty] = allowedThrottle(throttle);
   y[kCharge] = charge;
   y[kPolarisation] = polarisation;
   const double sign = y[kDuty] < 0 ? -1 : 1;

@@ -54,6 +54,9 @@ struct ShaftLoad {
   [[nodiscard]] double thrustAt(double w) const { return thrust.at(w) * w * std::abs(w); }
 };
 
+/// Speed in rad/s that a motor holds with a load at a terminal voltage v in V.
+double steadySpeed(const MotorConstants& motor, const ShaftLoad& load, double v);
+
 struct DriveTrainSetup {
   SupplyModel supply;
   EscParameters esc;
@@ -61,6 +64,9 @@ struct DriveTrainSetup {
   ShaftLoad load;
   double inertia = 1e-5;  ///< kg m^2 of all that spins
   bool quasiStaticCurrent = false;
+  /// Without saturation: the speed controller gives any share of the voltage, also a negative one or one above 1, and
+  /// no limit holds the current. No real drive can; it shows what the limits do.
+  bool unlimited = false;
 };
 
 /// Electrical and mechanical figures of one instant.
@@ -102,6 +108,8 @@ class DriveTrain {
   /// `y` takes it at once where the speed controller has no response time.
   void setThrottle(double throttle, State& y);
   [[nodiscard]] double throttle() const { return throttle_; }
+  /// What of a throttle the speed controller takes.
+  [[nodiscard]] double allowedThrottle(double throttle) const;
 
   template <class S>
   [[nodiscard]] DriveInstant<S> instant(const StateOf<S>& y) const {
@@ -126,7 +134,7 @@ class DriveTrain {
                      escResistance_ * at.current);
     const S band = S(motor_.resistance * maxCurrent_);
     at.motorVoltage = quasiStatic_ ? S(motor_.resistance * at.current + back)
-                                   : S(min(max(free, back - band), back + band));
+                                   : S(min(S(max(free, S(back - band))), S(back + band)));
     // Without braking no current flows back: the terminals float at the back-EMF.
     if (!activeBraking_ && !(at.current > 0)) at.motorVoltage = max(at.motorVoltage, back);
     // The converter keeps the power; the bus voltage follows from the one that is drawn.
@@ -159,8 +167,10 @@ class DriveTrain {
   [[nodiscard]] DrivePowers powers(const State& y) const;
   /// Largest magnitude of the poles of current and speed about speed w, 1/s.
   [[nodiscard]] double fastestPole(double w) const;
-  /// Speed in rad/s that the motor holds with its load at a terminal voltage v in V, found by bisection.
-  [[nodiscard]] double steadySpeed(double v) const;
+  /// Speed in rad/s that the motor holds with its load at a terminal voltage v in V.
+  [[nodiscard]] double steadySpeed(double v) const {
+    return rotorbench::steadySpeed(motor_, load_, v);
+  }
   /// The steady state with the throttle given, at a state of charge and a polarised voltage.
   [[nodiscard]] State steadyState(double throttle, double charge, double polarisation) const;
 
@@ -176,7 +186,8 @@ class DriveTrain {
   MotorConstants motor_;
   ShaftLoad load_;
   double inverseInertia_, escResistance_, inverseResponse_, maxCurrent_;
-  bool reverse_, activeBraking_, quasiStatic_;
+  double leastThrottle_, mostThrottle_;
+  bool activeBraking_, quasiStatic_;
   double throttle_ = 0;
 };
 

@@ -20,6 +20,12 @@ void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
       .shownIn("ms")
       .help("The duty follows the throttle with this lag; 0 for none.")
       .source("Assumption: ramps of common firmware are of this order");
+  b.number("deadTime", &P::deadTime, "Dead time", "T_d", "s")
+      .range(atLeast(0), upTo(1))
+      .shownIn("ms")
+      .help("A throttle command begins to act this much later; 0 for at once.")
+      .source("Assumption: none; a pulse of 400 Hz delays by up to 2.5 ms")
+      .advanced();
   b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
       .range(above(0), upTo(1e5))
       .help("Kept by limiting the voltage to the band of R i_max around the back-EMF.")

@@ -130,6 +130,28 @@ class TestShippedExperiments : public QObject {
     QVERIFY(r.sampleAt(*r.find("position.z"), 2.5) > 1.1);
   }
 
+  /// What the cards of the stands promise.
+  void standsKeepTheirWord() {
+    const auto stand = runToEnd(shipped("thrust-stand-x2216"))->metrics();
+    QVERIFY(figure(stand, "Run", "steady_difference") < 0.01);
+    QVERIFY(figure(stand, "Run", "full_thrust") > figure(stand, "Run", "peak_thrust"));
+    const auto propeller = runToEnd(shipped("propeller-bench-10x47"))->metrics();
+    QVERIFY(figure(propeller, "Run", "figure_of_merit") < 1);
+    QVERIFY(figure(propeller, "Run", "zero_thrust_advance_ratio") >
+            figure(propeller, "Run", "peak_efficiency_advance_ratio"));
+    const auto speed = runToEnd(shipped("motor-speed-saturation"))->metrics();
+    const auto both = [&](const char* name) {
+      return std::pair(figure(speed, "With saturation", name),
+                       figure(speed, "Without saturation", name));
+    };
+    QVERIFY(both("rise_time").first > 2 * both("rise_time").second);
+    QVERIFY(both("peak_current").first < 1.01 * figure(speed, "With saturation", "current_limit"));
+    QVERIFY(both("peak_current").second > 5 * both("peak_current").first);
+    for (const double overshoot : {both("overshoot").first, both("overshoot").second})
+      QVERIFY(overshoot < 0.06);
+    QVERIFY(std::isfinite(both("settling_time").first));
+  }
+
   /// A run cut in two equals one run up to the cut; stopping keeps what was recorded.
   void stoppedRunIsAPrefix() {
     const Experiment experiment = shipped("f450-hover-and-steps");

@@ -64,6 +64,19 @@ struct Shorten {
   }
   void operator()(MotorBench& bench) const { limit(bench.run); }
   void operator()(MotorSpeedRun& run) const { limit(run.run); }
+  void operator()(ThrustStand& stand) const {
+    std::visit(*this, stand.procedure);
+    if (durationOf(stand.procedure) > 10 * stand.run.tick)
+      stand.procedure = ThrottleRows{.duration = 4.5 * stand.run.tick};
+    limit(stand.run.solver);
+  }
+  void operator()(ThrottleLevels& /*steps*/) const {}
+  void operator()(ThrottleSweep& sweep) const { sweep.readings = std::min(sweep.readings, 10); }
+  void operator()(ThrottleRows& /*rows*/) const {}
+  void operator()(PropellerBench& bench) const {
+    bench.run.duration = 4.5 * bench.run.tick;
+    bench.curves.points = std::min(bench.curves.points, 10);
+  }
   void operator()(SolverComparison& comparison) const {
     comparison.duration = 4.5 * comparison.sampleInterval;
     comparison.referenceStep = std::max(comparison.referenceStep, comparison.duration / 1000);

@@ -2,34 +2,14 @@
 #include <QtTest>
 #include <cmath>
 
-#include "sim/core/schema_tree.h"
+#include "sim/analysis/curve_figures.h"
 #include "sim/experiment/experiment_file.h"
-#include "sim/experiment/simulation.h"
+#include "tests/sim/experiment/finished_run.h"
 
 using namespace rotorbench;
+using namespace rotorbench::test;
 
 namespace {
-
-std::unique_ptr<Simulation> finished(const Experiment& experiment) {
-  auto simulation = buildSimulation(experiment);
-  while (simulation->advance(1000) == SimulationState::Running) {
-  }
-  if (simulation->state() != SimulationState::Finished) qFatal("the run failed");
-  return simulation;
-}
-
-double figure(const Simulation& simulation, const std::string& name) {
-  const MetricTable table = simulation.metrics();
-  for (const Metric& m : table.front().metrics)
-    if (m.name == name) return m.value;
-  qFatal("no metric %s", name.c_str());
-}
-
-const Recording& run(const Simulation& simulation, const std::string& name) {
-  for (const RunOutput& r : simulation.runs())
-    if (r.name == name) return *r.recording;
-  qFatal("no run %s", name.c_str());
-}
 
 Experiment bench(double throttle) {
   Experiment experiment;
@@ -39,12 +19,6 @@ Experiment bench(double throttle) {
   m.run.duration = 3;
   experiment.setup = m;
   return experiment;
-}
-
-std::vector<Problem> warningsOf(const Experiment& experiment) {
-  std::vector<Problem> problems = schema::validate(schema::ref(experiment));
-  std::erase_if(problems, [](const Problem& p) { return !p.warning; });
-  return problems;
 }
 
 }  // namespace
@@ -174,13 +148,120 @@ class TestMotorBench : public QObject {
              qPrintable(QString::number(figure(*limited, "overshoot"))));
     QVERIFY(figure(*limited, "settling_time") < 0.3);
     QVERIFY(figure(*limited, "rest_error") < 2);
-    Experiment free = shipped;
-    auto& m = std::get<MotorSpeedRun>(free.setup);
-    m.stand.esc.maxCurrent = m.stand.motor.maxCurrent = 1000;
-    m.stand.supply = SupplyParameters{.voltage = 200};
-    const auto unlimited = finished(free);
-    QVERIFY(figure(*unlimited, "peak_current") > 2 * figure(*limited, "peak_current"));
-    QVERIFY(figure(*unlimited, "rise_time") < 0.5 * figure(*limited, "rise_time"));
+  }
+
+  /// The second run knows no limits: duty above 1, any current; the first is the run that stands alone otherwise, bit by
+  /// bit.
+  void withoutSaturation() {
+    Experiment experiment =
+        loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-saturation.json");
+    const auto both = finished(experiment);
+    QCOMPARE(both->runs().size(), std::size_t{2});
+    QCOMPARE(both->metrics()[1].run, std::string("Without saturation"));
+    QVERIFY(figure(*both, "peak_current", 0) <= 1.01 * figure(*both, "current_limit", 0));
+    QVERIFY(std::isnan(figure(*both, "current_limit", 1)));
+    QVERIFY(figure(*both, "peak_current", 1) > 5 * figure(*both, "peak_current", 0));
+    QVERIFY(figure(*both, "rise_time", 1) < 0.5 * figure(*both, "rise_time", 0));
+    for (const std::size_t part : {std::size_t{0}, std::size_t{1}})
+      QVERIFY(figure(*both, "overshoot", part) < 0.06);
+    const Recording& free = run(*both, "Without saturation");
+    QVERIFY(largestValue(free, "esc.duty") > 1.5);
+    // The control signal is what stands at the terminals and in the resistance of the speed controller.
+    for (std::size_t row = 100; row < free.rows(); row += 50) {
+      const double terminals =
+          value(free, "motor.voltage", row) + 0.005 * value(free, "motor.current", row);
+      QVERIFY(std::abs(terminals - value(free, "controller.voltage", row)) < 1e-9);
+    }
+    std::get<MotorSpeedRun>(experiment.setup).compareUnsaturated = false;
+    const auto alone = finished(experiment);
+    QCOMPARE(alone->runs().size(), std::size_t{1});
+    const Recording &a = run(*alone, "Run"), &b = run(*both, "With saturation");
+    QCOMPARE(a.rows(), b.rows());
+    for (std::size_t c = 0; c < a.channels().size(); ++c)
+      for (std::size_t row = 0; row < a.rows(); row += 7)
+        QCOMPARE(a.value(c, row), b.value(c, row));
+  }
+
+  /// Long against the limit, a PI controller without back-calculation winds up and overshoots by what it gathered;
+  /// with it the integral stays small and the step ends as calmly as a short one.
+  void noWindup() {
+    Experiment experiment =
+        loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
+    auto& m = std::get<MotorSpeedRun>(experiment.setup);
+    m.setPoints = {{0, 0}, {0.05, 500}};
+    m.run.duration = 2;
+    m.stand.motor.maxCurrent = 8;  // just more than the steady current: saturated for long
+    m.controller.pid.ki = 1200;
+    m.controller.pid.trackingTime = 0.05;
+    const auto calm = finished(experiment);
+    m.controller.pid.trackingTime = 1000;
+    const auto wound = finished(experiment);
+    const double most = largestMagnitude(run(*calm, "Run"), "controller.integral");
+    QVERIFY2(figure(*wound, "overshoot") > 0.05,
+             qPrintable(QString::number(figure(*wound, "overshoot"))));
+    QVERIFY2(figure(*calm, "overshoot") < 0.01,
+             qPrintable(QString::number(figure(*calm, "overshoot"))));
+    QVERIFY(most < 0.2 * largestMagnitude(run(*wound, "Run"), "controller.integral"));
+    for (const auto* simulation : {calm.get(), wound.get()})
+      QVERIFY2(figure(*simulation, "peak_current") <= 1.02 * 8,
+               qPrintable(QString::number(figure(*simulation, "peak_current"))));
+  }
+
+  /// The current may pass its limit only by what the back-EMF falls short between two updates of the controller: with
+  /// updates ten times as often it passes it by less.
+  void limitIsKeptToTheSampling() {
+    Experiment experiment =
+        loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
+    auto& m = std::get<MotorSpeedRun>(experiment.setup);
+    m.setPoints = {{0, 0}, {0.05, 500}};
+    m.run = {.solver = {.method = ode::Method::Rk4, .step = 2e-5}, .tick = 1e-4, .duration = 0.5};
+    experiment.outputs.recordInterval = 1e-4;
+    const auto excess = [&](double rate) {
+      m.controller.rate = rate;
+      const auto simulation = finished(experiment);
+      return figure(*simulation, "peak_current") / figure(*simulation, "current_limit") - 1;
+    };
+    QVERIFY2(excess(1000) < 0.01, qPrintable(QString::number(excess(1000))));
+    QVERIFY2(excess(10000) < 0.002, qPrintable(QString::number(excess(10000))));
+  }
+
+  /// A command waits for the dead time, to the instant and not to the tick; nothing else changes.
+  void deadTimeShiftsTheRun_data() {
+    QTest::addColumn<double>("deadTime");
+    QTest::addRow("whole ticks") << 0.02;
+    QTest::addRow("between ticks") << 0.0203;
+    QTest::addRow("less than a tick") << 0.0004;
+  }
+  void deadTimeShiftsTheRun() {
+    QFETCH(double, deadTime);
+    Experiment experiment = bench(0.6);
+    auto& m = std::get<MotorBench>(experiment.setup);
+    m.throttle = {{0, 0}, {0.1, 0.6}, {0.3, 0.2}};
+    m.run.duration = 0.5;
+    m.run.solver.step = 2e-5;
+    const auto plain = finished(experiment);
+    m.stand.esc.deadTime = deadTime;
+    const auto late = finished(experiment);
+    // The late run at t is the plain one at t - deadTime, which stands between two of its rows.
+    const Recording &a = run(*plain, "Run"), &b = run(*late, "Run");
+    const std::size_t speed = *a.find("motor.speed");
+    double most = 0;
+    for (std::size_t row = 60; row < b.rows(); ++row) {
+      const double t = b.value(0, row) - deadTime;
+      const auto before = static_cast<std::size_t>(std::floor(t / 1e-3 + 1e-9));
+      const double part = (t - a.value(0, before)) / 1e-3;
+      const double expected =
+          part < 1e-9 ? a.value(speed, before)
+                      : (1 - part) * a.value(speed, before) + part * a.value(speed, before + 1);
+      most = std::max(most, std::abs(b.value(speed, row) - expected));
+    }
+    // Straight lines between rows 1 ms apart leave h^2/8 of the second derivative, about 0.3 rad/s at the steps.
+    QVERIFY2(most < (deadTime == 0.02 ? 1e-6 : 0.5), qPrintable(QString::number(most)));
+    const std::size_t duty = *b.find("esc.duty"), throttle = *b.find("throttle");
+    const std::size_t step = b.lowerBound(0.1 - 1e-9);
+    QCOMPARE(b.value(throttle, step), 0.6);
+    QCOMPARE(b.value(duty, step + static_cast<std::size_t>(std::floor(deadTime / 1e-3))), 0.0);
+    QVERIFY(b.value(duty, step + static_cast<std::size_t>(std::floor(deadTime / 1e-3)) + 2) > 0.05);
   }
 
   void contradictionsAreRefused_data() {
@@ -217,7 +298,7 @@ class TestMotorBench : public QObject {
   void emptyListsAreRefused() {
     QFETCH(QString, stand);
     QFETCH(QString, path);
-    for (const char* kind : {"motor-bench", "motor-speed-control"}) {
+    for (const char* kind : {"motor-bench", "motor-speed-control", "thrust-stand"}) {
       const QString text =
           QString(R"({"rotorbench": 1, "setup": {"type": "%1", "stand": %2}})").arg(kind, stand);
       try {
