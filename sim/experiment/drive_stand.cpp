@@ -43,8 +43,8 @@ struct LoadOf {
   }
 };
 
-/// Where the region of absolute stability meets the negative real axis, h |pole|; 0 for methods that choose their
-/// step. Hairer, Wanner, Solving ODEs II, IV.2 (Runge-Kutta) and V.1 (Adams PECE).
+}  // namespace
+
 double stabilityLimit(ode::Method method) {
   switch (method) {
     case ode::Method::Euler:
@@ -57,8 +57,6 @@ double stabilityLimit(ode::Method method) {
       return 0;
   }
 }
-
-}  // namespace
 
 DriveTrain buildDriveTrain(const DriveStand& stand) {
   const double topSpeed = Supply(stand.supply).openCircuit(1.0) * stand.motor.speedConstant;
