@@ -88,12 +88,15 @@ const QMap<QString, QStringList>& StructureTest::rules() {
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/analysis",
         "sim/experiment"}},
       {"sim/io", {"sim/core"}},
+      {"sim/library", {"sim/core", "sim/propulsion", "sim/vehicle", "sim/experiment", "sim/io"}},
       {"ui/forms", seenByUi},
       {"ui/charts", seenByUi + QStringList{"ui/runs"}},
       {"ui/scene", seenByUi + QStringList{"ui/runs"}},
       {"ui/runs", seenByUi},
-      {"ui/sizing", seenByUi + QStringList{"sim/sizing", "ui/charts", "ui/forms", "ui/runs"}},
-      {"ui/shell", seenByUi + QStringList{"ui"}},
+      {"ui/library", seenByUi + QStringList{"sim/library", "ui/forms"}},
+      {"ui/sizing", seenByUi + QStringList{"sim/sizing", "sim/library", "ui/charts", "ui/forms",
+                                           "ui/library", "ui/runs"}},
+      {"ui/shell", seenByUi + QStringList{"sim/library", "ui"}},
       {"app", {"sim", "ui"}},
   };
   return map;
