@@ -7,8 +7,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kStandardDensity = 1.225;  // kg/m^3, to which the coefficients' inflow refers
-
 const DriveStand* standOf(const Experiment& experiment) {
   if (const auto* bench = std::get_if<MotorBench>(&experiment.setup)) return &bench->stand;
   if (const auto* run = std::get_if<MotorSpeedRun>(&experiment.setup)) return &run->stand;

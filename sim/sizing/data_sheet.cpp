@@ -14,16 +14,16 @@ constexpr int kSpeedPoints = 256;
 
 /// `coefficient(row)` between the rows at speed w, the end values beyond them.
 template <class Coefficient>
-double between(const std::vector<MeasuredThrust>& rows, double w, const Coefficient& coefficient) {
-  const auto above = std::ranges::upper_bound(rows, w, {}, &MeasuredThrust::speed);
+double between(const std::vector<StaticTableRow>& rows, double w, const Coefficient& coefficient) {
+  const auto above = std::ranges::upper_bound(rows, w, {}, &StaticTableRow::speed);
   if (above == rows.begin()) return coefficient(rows.front());
   if (above == rows.end()) return coefficient(rows.back());
-  const MeasuredThrust &a = *(above - 1), &b = *above;
+  const StaticTableRow &a = *(above - 1), &b = *above;
   const double t = (w - a.speed) / (b.speed - a.speed);
   return coefficient(a) + t * (coefficient(b) - coefficient(a));
 }
 
-ShaftLoad loadOf(const MeasuredPropeller& p, double topSpeed) {
+ShaftLoad loadOf(const StaticTable& p, double topSpeed) {
   const double scale = p.airDensity / p.measuredDensity;
   ShaftLoad load;
   load.quadratic = load.thrust = {topSpeed / kSpeedPoints, {}};
@@ -39,7 +39,7 @@ ShaftLoad loadOf(const MeasuredPropeller& p, double topSpeed) {
 
 }  // namespace
 
-std::vector<MeasuredThrust> MeasuredPropeller::slowFlyer10x47() {
+std::vector<StaticTableRow> StaticTable::slowFlyer10x47() {
   return {{248.919, 0.8475, 0.013943}, {480.664, 3.5808, 0.058384}, {683.611, 7.8404, 0.129562}};
 }
 
@@ -47,7 +47,7 @@ double diameterOf(const DataSheet& sheet) {
   if (const auto* blades = std::get_if<BladeElementLoad>(&sheet.propeller)) {
     return blades->propeller.diameter;
   }
-  if (const auto* measured = std::get_if<MeasuredPropeller>(&sheet.propeller)) {
+  if (const auto* measured = std::get_if<StaticTable>(&sheet.propeller)) {
     return measured->diameter;
   }
   return std::get<PropellerLoad>(sheet.propeller).diameter;
@@ -67,7 +67,7 @@ double inertiaOf(const DataSheet& sheet) {
 DriveTrain driveTrainOf(const DataSheet& sheet) {
   const SupplyModel supply = shareOf(sheet.supply, sheet.vehicle.rotors);
   const double inertia = inertiaOf(sheet);
-  if (const auto* measured = std::get_if<MeasuredPropeller>(&sheet.propeller)) {
+  if (const auto* measured = std::get_if<StaticTable>(&sheet.propeller)) {
     const double topSpeed = Supply(supply).openCircuit(1.0) * sheet.motor.speedConstant;
     return DriveTrain({.supply = supply,
                        .esc = sheet.esc,
@@ -88,9 +88,9 @@ DriveTrain driveTrainOf(const DataSheet& sheet) {
   return buildDriveTrain(stand);
 }
 
-void Describe<MeasuredThrust>::fields(schema::Builder<MeasuredThrust>& b) {
-  using P = MeasuredThrust;
-  b.title("row", "Row", "Thrust and torque at one speed.");
+void Describe<StaticTableRow>::fields(schema::Builder<StaticTableRow>& b) {
+  using P = StaticTableRow;
+  b.title("static-row", "Row", "Thrust and torque at one speed.");
   b.number("speed", &P::speed, "Speed", "\u03a9", "rad/s")
       .range(schema::above(0), schema::upTo(1e5))
       .shownIn("rpm");
@@ -98,8 +98,8 @@ void Describe<MeasuredThrust>::fields(schema::Builder<MeasuredThrust>& b) {
   b.number("torque", &P::torque, "Torque", "Q", "N*m").range(schema::atLeast(0), schema::upTo(1e5));
 }
 
-void Describe<MeasuredPropeller>::fields(schema::Builder<MeasuredPropeller>& b) {
-  using P = MeasuredPropeller;
+void Describe<StaticTable>::fields(schema::Builder<StaticTable>& b) {
+  using P = StaticTable;
   b.title(
       "measured", "Propeller by a static table",
       "Thrust and torque as measured at rest; between the rows T/\u03a9\u00b2 and Q/\u03a9\u00b2 "

@@ -11,26 +11,26 @@
 namespace rotorbench {
 
 /// One row of a propeller's static table.
-struct MeasuredThrust {
+struct StaticTableRow {
   double speed = 0;   ///< rad/s, above 0
   double thrust = 0;  ///< N
   double torque = 0;  ///< N m on the shaft
-  bool operator==(const MeasuredThrust&) const = default;
+  bool operator==(const StaticTableRow&) const = default;
 };
 
 /// A propeller by what was measured of it at rest; between the rows T/w^2 and Q/w^2 change linearly, beyond them they
 /// stay. Defaults: three rows of an APC 10 x 4.7 SF.
-struct MeasuredPropeller {
+struct StaticTable {
   double diameter = 0.254;         ///< m
   double measuredDensity = 1.225;  ///< kg/m^3 during the measurement
   double airDensity = 1.225;       ///< kg/m^3 in which it works now
-  std::vector<MeasuredThrust> rows = slowFlyer10x47();
-  bool operator==(const MeasuredPropeller&) const = default;
+  std::vector<StaticTableRow> rows = slowFlyer10x47();
+  bool operator==(const StaticTable&) const = default;
 
-  static std::vector<MeasuredThrust> slowFlyer10x47();
+  static std::vector<StaticTableRow> slowFlyer10x47();
 };
 
-using DataSheetPropeller = std::variant<PropellerLoad, BladeElementLoad, MeasuredPropeller>;
+using DataSheetPropeller = std::variant<PropellerLoad, BladeElementLoad, StaticTable>;
 
 /// Inertia of all that spins, as known.
 struct GivenInertia {
@@ -74,12 +74,12 @@ double inertiaOf(const DataSheet& sheet);
 DriveTrain driveTrainOf(const DataSheet& sheet);
 
 template <>
-struct Describe<MeasuredThrust> {
-  static void fields(schema::Builder<MeasuredThrust>& b);
+struct Describe<StaticTableRow> {
+  static void fields(schema::Builder<StaticTableRow>& b);
 };
 template <>
-struct Describe<MeasuredPropeller> {
-  static void fields(schema::Builder<MeasuredPropeller>& b);
+struct Describe<StaticTable> {
+  static void fields(schema::Builder<StaticTable>& b);
 };
 template <>
 struct Describe<GivenInertia> {

@@ -222,15 +222,11 @@ void warnOfCurrent(const Worked& w, std::vector<std::string>& warnings) {
                        .inertia = w.train.inertia()};
   open.esc.maxCurrent = open.motor.maxCurrent = 1e9;
   const double unlimited = drivePoint(DriveTrain(open), 1).electrical.current;
-  if (unlimited > w.sheet.motor.maxCurrent) {
-    warnings.push_back("Full throttle would draw " + shortNumber(unlimited) +
-                       " A, above the motor's limit of " + shortNumber(w.sheet.motor.maxCurrent) +
-                       " A.");
-  }
-  if (unlimited > w.sheet.esc.maxCurrent) {
-    warnings.push_back("Full throttle would draw " + shortNumber(unlimited) +
-                       " A, above the speed controller's limit of " +
-                       shortNumber(w.sheet.esc.maxCurrent) + " A.");
+  const bool motor = w.sheet.motor.maxCurrent <= w.sheet.esc.maxCurrent;
+  if (unlimited > w.train.maxCurrent()) {
+    warnings.push_back("Full throttle would draw " + shortNumber(unlimited) + " A, above the " +
+                       (motor ? "motor's" : "speed controller's") + " limit of " +
+                       shortNumber(w.train.maxCurrent()) + " A.");
   }
   if (w.sheet.motor.noLoadCurrent > 0.2 * w.full.electrical.current) {
     warnings.emplace_back(

@@ -7,11 +7,12 @@
 #include <QSplitter>
 #include <QVBoxLayout>
 
+#include "sim/core/schema_tree.h"
 #include "sim/experiment/experiment.h"
 #include "sim/sizing/apply_data_sheet.h"
-#include "ui/forms/experiment_panel.h"
-#include "ui/forms/form_style.h"
+#include "ui/forms/parameter_form.h"
 #include "ui/sizing/figure_table.h"
+#include "ui/sizing/plain_locale.h"
 #include "ui/sizing/throttle_chart.h"
 
 namespace rotorbench {
@@ -30,7 +31,9 @@ DataSheetDialog::DataSheetDialog(DocumentModel& experiment, QWidget* parent)
     : QDialog(parent),
       experiment_(experiment),
       sheet_(makeDocument(dataSheetOf(experiment.as<Experiment>()).value_or(DataSheet{}))),
-      form_(new ExperimentPanel(&sheet_, &unitSettings_)),
+      units_(&unitSettings_),
+      context_{&sheet_, &units_, plainLocale(), {}},
+      form_(new ParameterForm(context_)),
       table_(new FigureTable(FigureTable::Detail::Formula)),
       chart_(new ThrottleChart),
       target_(new QLabel),
@@ -73,6 +76,8 @@ void DataSheetDialog::buildPanes() {
   panes->setChildrenCollapsible(false);
   panes->setSizes({340, 740});
   form_->setMinimumWidth(270);
+  form_->showSection({});
+  connect(form_, &ParameterForm::sectionRequested, form_, &ParameterForm::showSection);
   target_->setObjectName("dataSheetTarget");
   target_->setWordWrap(true);
   auto* column = new QVBoxLayout(this);

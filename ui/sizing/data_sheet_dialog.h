@@ -4,21 +4,20 @@
 
 #include <QDialog>
 #include <QSettings>
-#include <optional>
 
 #include "sim/sizing/data_sheet.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "ui/forms/document_model.h"
+#include "ui/forms/form_context.h"
 #include "ui/sizing/latest_result.h"
 
 class QLabel;
 class QPushButton;
-class QSplitter;
 
 namespace rotorbench {
 
-class ExperimentPanel;
 class FigureTable;
+class ParameterForm;
 class ThrottleChart;
 
 class DataSheetDialog : public QDialog {
@@ -53,7 +52,9 @@ class DataSheetDialog : public QDialog {
   DocumentModel& experiment_;
   DocumentModel sheet_;
   QSettings unitSettings_;
-  ExperimentPanel* form_;
+  UnitPreferences units_;
+  FormContext context_;
+  ParameterForm* form_;
   FigureTable* table_;
   ThrottleChart* chart_;
   QPushButton* apply_ = nullptr;

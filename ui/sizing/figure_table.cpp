@@ -8,6 +8,7 @@
 #include <QLocale>
 #include <QTableWidget>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 
 #include "sim/sizing/figure_output.h"
@@ -18,17 +19,30 @@ namespace rotorbench {
 namespace {
 
 constexpr int kKeyRole = Qt::UserRole;
+constexpr int kLeastDetail = 26;  // characters of the last column, however small the dialog
 
 QString text(const std::string& s) {
   return QString::fromStdString(s);
 }
 
+/// "1.5e-05" as "1.5·10⁻⁵".
+QString withPower(QString number) {
+  const qsizetype e = number.indexOf('e');
+  if (e < 0) return number;
+  QString power = QString::number(number.mid(e + 1).toInt());
+  constexpr QStringView kRaised = u"\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079";
+  for (QChar& c : power) c = c == '-' ? QChar(0x207b) : kRaised[c.digitValue()];
+  return number.left(e) + "\u00b710" + power;
+}
+
 QString valueText(const Figure& figure) {
-  QString number = text(figureNumber(figure)).replace('.', QLocale().decimalPoint());
+  const QString number =
+      withPower(text(figureNumber(figure))).replace('.', QLocale().decimalPoint());
   if (std::isnan(figure.value) || figure.shownUnit == "1") return number;
   QString unit = text(figure.shownUnit);
   unit.replace("*", "\u00b7").replace("^2", "\u00b2").replace("Ohm", "\u03a9");
-  if (unit.startsWith('u') && unit.size() > 1) unit.replace(0, 1, "\u00b5");
+  if (unit == "deg") unit = QString(QChar(0xb0));
+  if (unit == "us") unit = QString::fromUtf8("\u00b5s");
   return number + "\u00a0" + unit;
 }
 
@@ -51,7 +65,8 @@ FigureTable::FigureTable(Detail detail, QWidget* parent)
       {tr("Quantity"), tr("Symbol"), tr("Value"),
        detail == Detail::Formula ? tr("How it is worked out") : tr("What limits it")});
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(kDetail, QHeaderView::Stretch);
+  table_->horizontalHeader()->setSectionResizeMode(kDetail, QHeaderView::Fixed);
+  table_->viewport()->installEventFilter(this);
   table_->horizontalHeaderItem(kQuantity)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->horizontalHeaderItem(kDetail)->setTextAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   table_->verticalHeader()->hide();
@@ -63,6 +78,7 @@ FigureTable::FigureTable(Detail detail, QWidget* parent)
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->setTabKeyNavigation(false);
+  table_->setStyleSheet("QTableWidget::item { padding-left: 4px; padding-right: 4px; }");
   warnings_->setObjectName("sheetWarnings");
   warnings_->setAccessibleName(tr("Warnings"));
   warnings_->setWordWrap(true);
@@ -137,6 +153,22 @@ void FigureTable::updateRows() {
     table_->item(row, kDetail)->setForeground(form_style::dimmed(palette()));
     ++next;
   }
+  fitLastColumn();
+}
+
+void FigureTable::fitLastColumn() {
+  int others = 0;
+  for (int c = 0; c < kDetail; ++c) others += table_->columnWidth(c);
+  const int least = kLeastDetail * table_->fontMetrics().averageCharWidth();
+  const int width = std::max(least, table_->viewport()->width() - others);
+  if (width == table_->columnWidth(kDetail)) return;
+  table_->setColumnWidth(kDetail, width);
+  table_->resizeRowsToContents();
+}
+
+bool FigureTable::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) fitLastColumn();
+  return QWidget::eventFilter(watched, event);
 }
 
 QString FigureTable::detailOf(const Figure& figure) const {

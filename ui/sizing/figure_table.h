@@ -35,6 +35,7 @@ class FigureTable : public QWidget {
 
  protected:
   void changeEvent(QEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   enum Column { kQuantity, kSymbol, kValue, kDetail, kColumns };
@@ -42,6 +43,7 @@ class FigureTable : public QWidget {
   void rebuild();
   void updateRows();
   void showWarnings();
+  void fitLastColumn();
   [[nodiscard]] QString detailOf(const Figure& figure) const;
   [[nodiscard]] QString tipOf(const Figure& figure) const;
 

@@ -11,6 +11,7 @@
 #include "sim/sizing/performance.h"
 #include "ui/forms/parameter_form.h"
 #include "ui/sizing/figure_table.h"
+#include "ui/sizing/plain_locale.h"
 
 namespace rotorbench {
 
@@ -34,12 +35,6 @@ QString tryFiguresOf(const Flight& flight, const PerformanceSettings& settings,
   } catch (const std::exception& error) {
     return QString::fromUtf8(error.what());
   }
-}
-
-QLocale plainLocale() {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-  return locale;
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ class TestDataSheet : public QObject {
   /// Rows of the table are met exactly, and the thrust between them lies between them.
   void measuredPropellerKeepsItsRows() {
     DataSheet sheet = x2216(12);
-    MeasuredPropeller propeller;
+    StaticTable propeller;
     sheet.propeller = propeller;
     for (const auto& row : propeller.rows) {
       sheet.vehicle.mass = row.thrust / sheet.vehicle.gravity;
@@ -284,7 +284,7 @@ class TestDataSheet : public QObject {
     sheet.motor.resistance = 0.15;
     sheet.supply = SupplyParameters{14.8, 0.02};
     if (propeller == 1) sheet.propeller = BladeElementLoad{};
-    if (propeller == 2) sheet.propeller = MeasuredPropeller{};
+    if (propeller == 2) sheet.propeller = StaticTable{};
     applyDataSheet(sheet, experiment);
     QVERIFY(schema::validate(schema::ref(experiment)).empty());
     const auto& flight = std::get<Flight>(experiment.setup);

@@ -44,7 +44,7 @@ QString warnings(const QWidget& dialog) {
 
 /// Types into a field of a dialog's form and commits with Enter.
 void typeField(QWidget& dialog, const QString& path, const QString& text) {
-  if (auto* panel = dialog.findChild<ExperimentPanel*>()) panel->jumpTo(path);
+  dialog.findChild<ParameterForm*>()->focusPlace(path);
   QLineEdit* edit = nullptr;
   QTRY_VERIFY((edit = dialog.findChild<QLineEdit*>(path)) != nullptr && edit->isVisible());
   edit->setFocus();
@@ -100,7 +100,7 @@ void TestSizing::dataSheetIsTypedAndRead() {
   // The chart has the curves and the hover point.
   auto* chart = dialog->findChild<ThrottleChart*>();
   QTRY_COMPARE(chart->pane().curves().curves.size(), std::size_t(4));
-  QTRY_VERIFY(chart->pane().plot()->pointCount() > 100);
+  QTRY_VERIFY(chart->pane().plot()->pointCount() > 20);  // straight pieces are joined
   // Too heavy: no hover, and why.
   QVERIFY(warnings(*dialog).isEmpty());
   typeField(*dialog, "vehicle.mass", "9 kg");
