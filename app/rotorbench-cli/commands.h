@@ -14,5 +14,7 @@ void addRunCommand(CLI::App& app, int& code);
 void addListCommand(CLI::App& app, int& code);
 void addSchemaCommand(CLI::App& app, int& code);
 void addSetCommand(CLI::App& app, int& code);
+void addPerformanceCommand(CLI::App& app, int& code);
+void addDataSheetCommand(CLI::App& app, int& code);
 
 }  // namespace rotorbench::cli

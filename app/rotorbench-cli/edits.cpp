@@ -7,26 +7,22 @@
 
 namespace rotorbench::cli {
 
-namespace {
-
-void apply(Experiment& experiment, const std::string& edit) {
+void applyEdit(schema::Ref document, const std::string& edit) {
   const auto equals = edit.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError("--set", {{edit, "is not an assignment",
                                 "write path=value, for example setup.duration=20"}});
   }
   try {
-    schema::setFromText(schema::ref(experiment), edit.substr(0, equals), edit.substr(equals + 1));
+    schema::setFromText(document, edit.substr(0, equals), edit.substr(equals + 1));
   } catch (const InputError& error) {
     throw InputError("--set", error.problems());
   }
 }
 
-}  // namespace
-
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits) {
   Experiment experiment = loadExperiment(file);
-  for (const auto& edit : edits) apply(experiment, edit);
+  for (const auto& edit : edits) applyEdit(schema::ref(experiment), edit);
   auto problems = schema::validate(schema::ref(experiment));
   std::erase_if(problems, [](const Problem& p) { return p.warning; });
   if (!problems.empty()) throw InputError(edits.empty() ? file : "--set", problems);

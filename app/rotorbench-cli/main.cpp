@@ -18,6 +18,8 @@ int main(int argc, char** argv) {
   addListCommand(app, code);
   addSchemaCommand(app, code);
   addSetCommand(app, code);
+  addPerformanceCommand(app, code);
+  addDataSheetCommand(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

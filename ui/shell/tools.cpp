@@ -1,7 +1,11 @@
 #include "ui/shell/tools.h"
 
+#include <QObject>
+
 #include "ui/propeller/propeller_editor.h"
 #include "ui/shell/document_controller.h"
+#include "ui/sizing/data_sheet_dialog.h"
+#include "ui/sizing/performance_dialog.h"
 
 namespace rotorbench {
 
@@ -21,6 +25,16 @@ void openPropellerEditor(const ToolContext& context) {
   editor->show();
 }
 
+void openDataSheet(const ToolContext& context) {
+  auto* dialog = new DataSheetDialog(context.documents.model(), context.window);
+  QObject::connect(dialog, &DataSheetDialog::applied, context.window, context.say);
+  dialog->show();
+}
+
+void openPerformance(const ToolContext& context) {
+  (new PerformanceDialog(context.documents.model(), context.window))->show();
+}
+
 }  // namespace
 
 const std::vector<Tool>& tools() {
@@ -28,6 +42,11 @@ const std::vector<Tool>& tools() {
       {"toolPropellerEditor", "&Propeller editor…", "draw-bezier-curves",
        "Chord, twist and sections of a blade on a chart, with its coefficients live",
        openPropellerEditor},
+      {"toolDataSheet", "Motor from a &data sheet…", "accessories-calculator",
+       "What follows from the data sheets of a motor, a propeller and a battery", openDataSheet},
+      {"toolPerformance", "&Performance of the vehicle…", "view-statistics",
+       "What the vehicle lifts, how long and how fast it flies, and what limits it",
+       openPerformance},
   };
   return kTools;
 }

@@ -84,6 +84,9 @@ const QMap<QString, QStringList>& StructureTest::rules() {
       {"sim/experiment",
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/sensing",
         "sim/control", "sim/analysis", "sim/io"}},
+      {"sim/sizing",
+       {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/analysis",
+        "sim/experiment"}},
       {"sim/io", {"sim/core"}},
       {"sim/library", {"sim/core", "sim/propulsion", "sim/vehicle", "sim/experiment", "sim/io"}},
       {"ui/forms", seenByUi},
@@ -91,6 +94,8 @@ const QMap<QString, QStringList>& StructureTest::rules() {
       {"ui/scene", seenByUi + QStringList{"ui/runs"}},
       {"ui/runs", seenByUi},
       {"ui/library", seenByUi + QStringList{"sim/library", "ui/forms"}},
+      {"ui/sizing", seenByUi + QStringList{"sim/sizing", "sim/library", "ui/charts", "ui/forms",
+                                           "ui/library", "ui/runs"}},
       {"ui/shell", seenByUi + QStringList{"sim/library", "ui"}},
       {"app", {"sim", "ui"}},
   };
