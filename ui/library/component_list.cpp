@@ -71,6 +71,7 @@ void ComponentList::buildTree() {
   tree_->setAccessibleName(tr("Components"));
   tree_->setHeaderLabels({tr("Name"), tr("Key figures"), tr("Kind")});
   tree_->setColumnHidden(kKind, kinds_.size() < 2);
+  tree_->installEventFilter(this);
   tree_->setRootIsDecorated(false);
   tree_->setIndentation(form_style::kMargin);
   tree_->setUniformRowHeights(true);
@@ -171,6 +172,13 @@ void ComponentList::focusSearch() {
 }
 
 bool ComponentList::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    if ((key == Qt::Key_Return || key == Qt::Key_Enter) && current() != nullptr) {
+      emit activated();
+      return true;
+    }
+  }
   if (watched == search_ && event->type() == QEvent::KeyPress) {
     const auto* key = static_cast<QKeyEvent*>(event);
     // The list answers to the keys that move, while the text is still being typed.
