@@ -36,13 +36,17 @@ ComponentDetails::ComponentDetails(const UnitPreferences& units, QWidget* parent
   values_->setObjectName(QStringLiteral("componentValues"));
   values_->setAccessibleName(tr("Values of the component"));
   values_->setHeaderLabels({tr("Parameter"), tr("Value")});
+  values_->header()->setStretchLastSection(false);
+  values_->header()->setSectionResizeMode(0, QHeaderView::Stretch);
+  values_->setIndentation(2 * form_style::kGrid);
+  values_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   values_->setUniformRowHeights(true);
   values_->setAlternatingRowColors(true);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(form_style::kMargin);
-  layout->addWidget(scroll, 2);
-  layout->addWidget(values_, 3);
+  layout->addWidget(scroll, 1);
+  layout->addWidget(values_, 1);
   colour();
 }
 

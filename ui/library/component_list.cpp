@@ -19,7 +19,7 @@ namespace rotorbench {
 namespace {
 
 constexpr int kFileRole = Qt::UserRole;
-enum Column { kName, kFigures, kKind };
+enum Column { kName, kKind, kFigures };
 
 QString fileOf(const LibraryEntry& entry) {
   return QString::fromStdString(entry.file.string());
@@ -69,7 +69,7 @@ ComponentList::ComponentList(const ComponentLibrary& library, const UnitPreferen
 void ComponentList::buildTree() {
   tree_->setObjectName(QStringLiteral("libraryList"));
   tree_->setAccessibleName(tr("Components"));
-  tree_->setHeaderLabels({tr("Name"), tr("Key figures"), tr("Kind")});
+  tree_->setHeaderLabels({tr("Name"), tr("Kind"), tr("Key figures")});
   tree_->setColumnHidden(kKind, kinds_.size() < 2);
   tree_->installEventFilter(this);
   tree_->setRootIsDecorated(false);
@@ -77,6 +77,7 @@ void ComponentList::buildTree() {
   tree_->setUniformRowHeights(true);
   tree_->setAllColumnsShowFocus(true);
   tree_->setTextElideMode(Qt::ElideRight);
+  tree_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   tree_->header()->setStretchLastSection(true);
 }
 
@@ -115,12 +116,13 @@ void ComponentList::addEntry(QTreeWidgetItem* group, const LibraryEntry& entry) 
   const ComponentInfo& info = entry.component.info;
   const QString figures = keyFiguresText(entry.component, units_, locale_);
   auto* item = new QTreeWidgetItem(
-      group, {toQString(info.name), figures, toQString(kindOf(*entry.component.type)->label)});
+      group, {toQString(info.name), toQString(kindOf(*entry.component.type)->label), figures});
   item->setData(kName, kFileRole, fileOf(entry));
   item->setToolTip(kName, toQString(info.name));
   item->setToolTip(kFigures, figures);
   if (info.warning.empty()) return;
-  item->setIcon(kName, form_style::severityIcon(form_style::Severity::Warning, palette()));
+  item->setIcon(kName, form_style::discIcon(
+                           form_style::severityColour(form_style::Severity::Warning, palette())));
   item->setData(kName, Qt::AccessibleDescriptionRole, toQString(info.warning));
 }
 
@@ -142,8 +144,8 @@ void ComponentList::fill() {
   }
   tree_->expandAll();
   tree_->resizeColumnToContents(kName);
-  tree_->resizeColumnToContents(kFigures);
-  constexpr int kWidestName = 260;
+  tree_->resizeColumnToContents(kKind);
+  constexpr int kWidestName = 240;
   tree_->setColumnWidth(kName, std::min(kWidestName, tree_->columnWidth(kName)));
 }
 
@@ -157,6 +159,8 @@ void ComponentList::choose(const std::filesystem::path& file) {
   }
   tree_->setCurrentItem(best);
   if (best != nullptr) tree_->scrollToItem(best);
+  const bool first = best != nullptr && tree_->topLevelItem(0)->child(0) == best;
+  if (first) tree_->scrollToTop();  // with its heading
   emit currentChanged();
 }
 

@@ -17,8 +17,11 @@ QString shortNumber(const Field& field, double si, const UnitPreferences& units,
                     const QLocale& locale) {
   const QString unit = units.shownUnit(field);
   const double shown = fromSi(si, unitFactor(field.unit, unit.toStdString()));
-  constexpr int kDigits = 4;
-  return withUnit(locale.toString(shown, 'g', kDigits), unit);
+  constexpr int kDigits = 4, kNoExponentBelow = 10;
+  const double rounded = QString::number(shown, 'g', kDigits).toDouble();
+  QLocale plain = locale;
+  plain.setNumberOptions(QLocale::OmitGroupSeparator);
+  return withUnit(plain.toString(rounded, 'g', kNoExponentBelow), unit);
 }
 
 /// Empty where there is nothing to say: a switch that is off.
@@ -81,8 +84,13 @@ void fillParameterTree(QTreeWidget& tree, schema::ConstRef object, const UnitPre
                        const QLocale& locale) {
   tree.clear();
   addFields(tree.invisibleRootItem(), object, units, locale);
+  bool groups = false;
+  for (int i = 0; i < tree.topLevelItemCount(); ++i) {
+    groups = groups || tree.topLevelItem(i)->childCount() > 0;
+  }
+  tree.setRootIsDecorated(groups);
   tree.expandAll();
-  tree.resizeColumnToContents(0);
+  tree.resizeColumnToContents(1);
 }
 
 }  // namespace rotorbench

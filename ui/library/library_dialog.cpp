@@ -55,6 +55,7 @@ LibraryDialog::LibraryDialog(LibraryRequest request, QWidget* parent)
   column->addWidget(message_);
   column->addWidget(buildManaging());
   column->addWidget(buildClosing());
+  if (use_ != nullptr) use_->setDefault(true);  // counts only inside the dialog
   connect(list_, &ComponentList::currentChanged, this, &LibraryDialog::showCurrent);
   connect(list_, &ComponentList::activated, this, &LibraryDialog::use);
   // The window answers F1 by what has the focus, and this dialog keeps the key from it.
@@ -127,7 +128,6 @@ QWidget* LibraryDialog::buildClosing() {
   use_ = buttons->addButton(tr("Use"), QDialogButtonBox::AcceptRole);
   use_->setObjectName(QStringLiteral("libraryUse"));
   use_->setToolTip(tr("Fills the form with this component"));
-  use_->setDefault(true);
   connect(use_, &QPushButton::clicked, this, &LibraryDialog::use);
   return buttons;
 }
