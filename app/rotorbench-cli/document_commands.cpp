@@ -1,24 +1,12 @@
-// list, schema, set: commands about files; nothing is simulated.
+// schema, set: commands about files; nothing is simulated.
 #include <iostream>
 #include <memory>
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
 #include "sim/experiment/experiment_file.h"
-#include "sim/experiment/resources.h"
 
 namespace rotorbench::cli {
-
-void addListCommand(CLI::App& app, int& code) {
-  auto* list = app.add_subcommand("list", "List the shipped experiments with their files");
-  list->callback([&code] {
-    for (const auto& e : shippedExperiments()) {
-      std::cout << e.name << "\n    " << e.title << ": " << e.summary << "\n    " << e.file.string()
-                << '\n';
-    }
-    code = kOk;
-  });
-}
 
 void addSchemaCommand(CLI::App& app, int& code) {
   auto* command = app.add_subcommand("schema", "Print the JSON Schema of experiment files");

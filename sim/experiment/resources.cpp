@@ -38,15 +38,19 @@ fs::path resourceDirectory() {
   return fs::is_directory(source, error) ? source : fs::path();
 }
 
-std::vector<ShippedExperiment> shippedExperiments() {
+std::vector<ShippedExperiment> shippedExperiments(std::vector<InputError>* faults) {
   std::vector<ShippedExperiment> all;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(resourceDirectory() / "experiments", error)) {
     if (entry.path().extension() != kExperimentSuffix) continue;
-    const Experiment experiment = loadExperiment(entry.path());
-    const auto kind = schema::get(schema::ref(experiment), "setup.type");
-    all.push_back({entry.path(), entry.path().stem().string(), experiment.title, experiment.summary,
-                   std::get<std::string>(kind)});
+    try {
+      const Experiment experiment = loadExperiment(entry.path());
+      const auto kind = schema::get(schema::ref(experiment), "setup.type");
+      all.push_back({entry.path(), entry.path().stem().string(), experiment.title,
+                     experiment.summary, std::get<std::string>(kind)});
+    } catch (const InputError& fault) {
+      if (faults != nullptr) faults->push_back(fault);
+    }
   }
   const auto order = galleryOrder();
   const auto rank = [&](const ShippedExperiment& e) {

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/error.h"
+
 namespace rotorbench {
 
 /// The resources folder: $ROTORBENCH_RESOURCES, else ../share/rotorbench beside an installed program, else the
@@ -20,7 +22,8 @@ struct ShippedExperiment {
   std::string kind;  ///< key of the setup alternative: "flight"
 };
 
-/// All shipped experiments in gallery order (the flagship first). Throws InputError if one cannot be read.
-std::vector<ShippedExperiment> shippedExperiments();
+/// All shipped experiments in gallery order (the flagship first). One that cannot be read is left out and told in
+/// `faults`, where given.
+std::vector<ShippedExperiment> shippedExperiments(std::vector<InputError>* faults = nullptr);
 
 }  // namespace rotorbench

@@ -7,13 +7,14 @@ SupplyModel supplyOf(const VehicleParameters& vehicle) {
 }
 
 EscParameters escOf(const RotorParameters& rotor) {
-  return rotor.esc;
+  return {
+      .resistance = rotor.esc.resistance, .responseTime = 0, .maxCurrent = rotor.esc.maxCurrent};
 }
 
 void setDrive(VehicleParameters& vehicle, RotorParameters& rotor, const SupplyModel& supply,
               const EscParameters& esc, const MotorParameters& motor) {
   rotor.motor = motor;
-  rotor.esc = esc;
+  rotor.esc = {esc.resistance, esc.maxCurrent};
   vehicle.supply = supply;
 }
 

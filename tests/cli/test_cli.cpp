@@ -1,6 +1,7 @@
 // rotorbench-cli as a person or a script uses it: the real program, its output, its files, its exit codes.
 #include <signal.h>
 
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -60,6 +61,35 @@ class TestCli : public QObject {
     QCOMPARE(cli({}).code, 2);
     QCOMPARE(cli({"fly"}).code, 2);
     QCOMPARE(cli({"run"}).code, 2);
+  }
+
+  void listComponents() {
+    QTemporaryDir data;
+    qputenv("XDG_DATA_HOME", data.path().toUtf8());
+    const QString own = data.filePath("Rotorbench/Rotorbench/library/motors");
+    QVERIFY(QDir().mkpath(own));
+    const auto put = [&own](const char* name, const char* text) {
+      QFile file(own + '/' + name);
+      QVERIFY(file.open(QIODevice::WriteOnly));
+      file.write(text);
+    };
+    put("mine.json", R"({"rotorbench-component": 1, "kind": "motor", "name": "Bench motor"})");
+    put("broken.json", R"({"rotorbench-component": 1, "kind": "motor"})");
+    const Outcome all = cli({"list", "components"});
+    QCOMPARE(all.code, 0);
+    for (const char* line :
+         {"motor: Bench motor (yours)", "battery: ", "airframe: DJI F450 (JSBSim)",
+          "propeller: APC Slow Flyer 10 x 4.7", "Note: "}) {
+      QVERIFY2(all.out.contains(line), line);
+    }
+    QVERIFY(all.err.contains("broken.json") && all.err.contains("name"));
+    const Outcome motors = cli({"list", "components", "--kind", "motor"});
+    QVERIFY(motors.out.contains("motor: DJI E305 (2312E)"));
+    QVERIFY(!motors.out.contains("battery: "));
+    const Outcome wrong = cli({"list", "components", "--kind", "moter"});
+    QCOMPARE(wrong.code, 2);
+    QVERIFY(wrong.err.contains("motor"));
+    QCOMPARE(cli({"list", "nothing"}).code, 2);
   }
 
   void list() {

@@ -39,7 +39,9 @@ class TestShippedExperiments : public QObject {
 
   void all_data() {
     QTest::addColumn<QString>("name");
-    const auto experiments = shippedExperiments();
+    std::vector<InputError> faults;
+    const auto experiments = shippedExperiments(&faults);
+    QVERIFY2(faults.empty(), faults.empty() ? "" : faults.front().what());
     QVERIFY(experiments.size() >= 6);
     QCOMPARE(experiments.front().name, std::string("f450-hover-and-steps"));
     for (const auto& e : experiments)

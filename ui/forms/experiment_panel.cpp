@@ -24,7 +24,7 @@ QLocale plainLocale() {
 ExperimentPanel::ExperimentPanel(DocumentModel* model, QSettings* settings, QWidget* parent)
     : QWidget(parent),
       units_(settings),
-      context_{model, &units_, plainLocale(), {}},
+      context_{model, &units_, plainLocale(), {}, {}, {}},
       tree_(new SectionTree(context_, this)),
       form_(new ParameterForm(context_, this)) {
   setObjectName(QStringLiteral("experimentPanel"));
@@ -55,6 +55,13 @@ ExperimentPanel::~ExperimentPanel() {
 
 void ExperimentPanel::setChannelNames(std::function<QStringList()> names) {
   context_.channelNames = std::move(names);
+}
+
+void ExperimentPanel::setComponents(std::function<bool(const QString& path)> has,
+                                    std::function<void(const QString& path)> pick) {
+  context_.hasComponents = std::move(has);
+  context_.pickComponent = std::move(pick);
+  form_->rebuild();
 }
 
 void ExperimentPanel::showSection(const QString& path) {

@@ -24,6 +24,9 @@ class ExperimentPanel : public QWidget {
 
   /// Names offered in fields that hold channel names.
   void setChannelNames(std::function<QStringList()> names);
+  /// Whether a part of the document has ready components, and what opens the picker for it.
+  void setComponents(std::function<bool(const QString& path)> has,
+                     std::function<void(const QString& path)> pick);
   [[nodiscard]] UnitPreferences* units() { return &units_; }
   [[nodiscard]] ParameterForm* form() { return form_; }
   [[nodiscard]] SectionTree* tree() { return tree_; }

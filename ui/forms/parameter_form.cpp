@@ -3,11 +3,13 @@
 #include <QApplication>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QTimer>
 #include <QToolButton>
 #include <algorithm>
 
 #include "ui/forms/field_text.h"
+#include "ui/forms/library_button.h"
 #include "ui/forms/sections.h"
 
 namespace rotorbench {
@@ -152,14 +154,17 @@ void ParameterForm::addBreadcrumb() {
   addWide(crumb);
 }
 
-void ParameterForm::addText(const QString& text, bool dimmed) {
-  if (text.isEmpty()) return;
+QLabel* ParameterForm::makeText(const QString& text) {
   auto* label = new QLabel(text, content_);
   label->setTextFormat(Qt::PlainText);
   label->setWordWrap(true);
   form_style::setFontScale(label, 0.92);
-  if (dimmed) form_style::setDimmed(label);
-  addWide(label);
+  form_style::setDimmed(label);
+  return label;
+}
+
+void ParameterForm::addText(const QString& text) {
+  if (!text.isEmpty()) addWide(makeText(text));
 }
 
 void ParameterForm::addHeader() {
@@ -170,7 +175,7 @@ void ParameterForm::addHeader() {
   title->setTextFormat(Qt::PlainText);
   title->setWordWrap(true);
   form_style::setFontScale(title, 1.15, true);
-  addWide(title);
+  addWide(title, section_);
   headMessage_ = new QLabel(content_);
   headMessage_->setObjectName(QStringLiteral("formMessage"));
   headMessage_->setTextFormat(Qt::PlainText);
@@ -184,7 +189,7 @@ void ParameterForm::addSection() {
   const auto at = context_.model->find(section_);
   if (at && !at->element) {
     if (at->field->kind == Kind::List) {
-      addText(toQString(at->field->help), true);
+      addText(toQString(at->field->help));
       addList(*at->field, section_, false);
       return;
     }
@@ -194,7 +199,7 @@ void ParameterForm::addSection() {
   }
   const auto object = context_.model->object(section_);
   if (!object) return;
-  addText(toQString(object->type->help), true);
+  addText(toQString(object->type->help));
   addObject(*object, section_);
 }
 
@@ -234,9 +239,10 @@ void ParameterForm::addField(schema::ConstRef object, const schema::Field& field
   if (field.isLeaf() || !here) return;
   const schema::ConstRef child(&field.childType(object.object, 0), field.child_(object.object, 0));
   if (field.kind == Kind::Group) {
-    addTitle(toQString(field.label), toQString(field.help.empty() ? child.type->help : field.help));
+    addTitle(toQString(field.label), toQString(field.help.empty() ? child.type->help : field.help),
+             path);
   } else {
-    addText(toQString(child.type->help), true);
+    addWide(makeText(toQString(child.type->help)), path);
   }
   addObject(child, path);
 }
@@ -251,20 +257,20 @@ FormRow* ParameterForm::addRow(FieldEditor* editor) {
 }
 
 void ParameterForm::addList(const schema::Field& field, const QString& path, bool titled) {
-  if (titled) addTitle(toQString(field.label), toQString(field.help));
+  if (titled) addTitle(toQString(field.label), toQString(field.help), path);
   ListEditor* list = makeListEditor(context_, field, path, content_);
   addWide(list);
   lists_.emplace_back(path, list);
   connect(list, &ListEditor::openRequested, this, &ParameterForm::sectionRequested);
 }
 
-void ParameterForm::addTitle(const QString& title, const QString& help) {
+void ParameterForm::addTitle(const QString& title, const QString& help, const QString& path) {
   auto* label = new QLabel(title, content_);
   label->setTextFormat(Qt::PlainText);
   label->setContentsMargins(0, form_style::kMargin, 0, 0);
   label->setToolTip(help);
   form_style::setFontScale(label, 1.0, true);
-  addWide(label);
+  addWide(label, path);
 }
 
 void ParameterForm::addMore(const QString& key) {
@@ -286,6 +292,17 @@ void ParameterForm::addMore(const QString& key) {
 void ParameterForm::addWide(QWidget* widget) {
   grid_->addWidget(widget, nextRow_++, 0, 1, 4);
   if (collecting_ != nullptr) collecting_->widgets.push_back(widget);
+}
+
+void ParameterForm::addWide(QLabel* label, const QString& path) {
+  QToolButton* library = makeLibraryButton(context_, path, content_);
+  if (library == nullptr) return addWide(label);
+  auto* line = new QWidget(content_);
+  auto* row = new QHBoxLayout(line);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(label, 1);
+  row->addWidget(library, 0, Qt::AlignBottom);
+  addWide(line);
 }
 
 void ParameterForm::setMoreShown(Part& part, bool shown) {

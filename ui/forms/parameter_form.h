@@ -27,6 +27,8 @@ class ParameterForm : public QScrollArea {
   void showSection(const QString& path);
   /// Shows the section that holds `path`, opens "More" if needed and puts the focus on the field.
   void focusPlace(const QString& path);
+  /// Makes the form anew from the document and the context.
+  void rebuild();
 
  signals:
   /// A link or a place in the title was clicked.
@@ -43,21 +45,23 @@ class ParameterForm : public QScrollArea {
     std::vector<QWidget*> widgets;
   };
 
-  void rebuild();
   void rebuildLater();
   void dropContent();
   void addHeader();
   void addBreadcrumb();
-  void addText(const QString& text, bool dimmed);
+  QLabel* makeText(const QString& text);
+  void addText(const QString& text);
   void addSection();
   void addObject(schema::ConstRef object, const QString& path);
   void addFields(schema::ConstRef object, const QString& path, bool advanced);
   void addField(schema::ConstRef object, const schema::Field& field, const QString& path);
   FormRow* addRow(FieldEditor* editor);
   void addList(const schema::Field& field, const QString& path, bool titled);
-  void addTitle(const QString& title, const QString& help);
+  void addTitle(const QString& title, const QString& help, const QString& path);
   void addMore(const QString& key);
   void addWide(QWidget* widget);
+  /// With the library's button beside it where there are components for the place.
+  void addWide(QLabel* label, const QString& path);
   void setMoreShown(Part& part, bool shown);
 
   void onValueChanged(const QString& path);

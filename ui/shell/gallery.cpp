@@ -112,15 +112,9 @@ void Gallery::setOpenDocument(const QString& name) {
 }
 
 void Gallery::buildCards() {
-  std::vector<ShippedExperiment> shipped;
-  try {
-    shipped = shippedExperiments();
-  } catch (const InputError& error) {
-    auto* label = new QLabel(tr("The ready experiments cannot be read.\n%1").arg(error.what()));
-    label->setObjectName("galleryError");
-    label->setWordWrap(true);
-    grid_->addWidget(label, 0, 0);
-  }
+  std::vector<InputError> faults;
+  const std::vector<ShippedExperiment> shipped = shippedExperiments(&faults);
+  if (!faults.empty()) showFaults(faults);
   for (const ShippedExperiment& experiment : shipped) {
     const QString file = QString::fromStdString(experiment.file.string());
     auto* card = new GalleryCard(QString::fromStdString(experiment.title),
@@ -130,6 +124,23 @@ void Gallery::buildCards() {
     cards_.push_back(card);
     files_ << file;
   }
+}
+
+/// One sentence per file that cannot be read, below the cards of the others.
+void Gallery::showFaults(const std::vector<InputError>& faults) {
+  QStringList sentences;
+  for (const InputError& fault : faults) {
+    const QString file = QFileInfo(QString::fromStdString(fault.source())).fileName();
+    const QString reason = fault.problems().empty()
+                               ? QString::fromUtf8(fault.what())
+                               : QString::fromStdString(fault.problems().front().message());
+    sentences << tr("%1 cannot be read: %2.").arg(file, reason);
+  }
+  faults_ = new QLabel(sentences.join('\n'));
+  faults_->setObjectName("galleryError");
+  faults_->setAccessibleName(tr("Experiments that cannot be read"));
+  faults_->setTextFormat(Qt::PlainText);
+  faults_->setWordWrap(true);
 }
 
 void Gallery::showRecent() {
@@ -161,6 +172,9 @@ void Gallery::arrange() {
   for (int i = 0; i < static_cast<int>(cards_.size()); ++i) {
     grid_->addWidget(cards_[static_cast<std::size_t>(i)], i / columns, i % columns);
   }
+  if (faults_ == nullptr) return;
+  grid_->removeWidget(faults_);
+  grid_->addWidget(faults_, grid_->rowCount(), 0, 1, columns);
 }
 
 void Gallery::drawPictures() {

@@ -8,10 +8,12 @@
 #include <memory>
 #include <vector>
 
+#include "sim/core/error.h"
 #include "ui/shell/gallery_card.h"
 #include "ui/shell/recent_files.h"
 
 class QGridLayout;
+class QLabel;
 class QPushButton;
 class QVBoxLayout;
 
@@ -39,6 +41,7 @@ class Gallery : public QWidget {
 
  private:
   void buildCards();
+  void showFaults(const std::vector<InputError>& faults);
   QWidget* buildSide();
   void showRecent();
   void arrange();
@@ -48,6 +51,7 @@ class Gallery : public QWidget {
   QPushButton* back_ = nullptr;
   QWidget* cardArea_ = nullptr;
   QGridLayout* grid_ = nullptr;
+  QLabel* faults_ = nullptr;  ///< null where every experiment could be read
   QVBoxLayout* recentLayout_ = nullptr;
   int columns_ = 0;
   std::vector<GalleryCard*> cards_;

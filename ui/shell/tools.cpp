@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "ui/library/library_dialog.h"
 #include "ui/propeller/propeller_editor.h"
 #include "ui/shell/document_controller.h"
 #include "ui/sizing/data_sheet_dialog.h"
@@ -10,6 +11,10 @@
 namespace rotorbench {
 
 namespace {
+
+void openLibrary(const ToolContext& context) {
+  (new LibraryDialog(browseRequest(), context.window))->open();
+}
 
 /// The propeller of the open experiment, or one of its own where there is none.
 void openPropellerEditor(const ToolContext& context) {
@@ -39,6 +44,8 @@ void openPerformance(const ToolContext& context) {
 
 const std::vector<Tool>& tools() {
   static const std::vector<Tool> kTools{
+      {"toolLibrary", "Component &library…", "folder-open",
+       "Motors, propellers, batteries, airframes: shipped ones and yours", openLibrary},
       {"toolPropellerEditor", "&Propeller editor…", "draw-bezier-curves",
        "Chord, twist and sections of a blade on a chart, with its coefficients live",
        openPropellerEditor},

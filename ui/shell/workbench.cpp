@@ -10,6 +10,7 @@
 #include "ui/forms/experiment_panel.h"
 #include "ui/forms/parameter_form.h"
 #include "ui/forms/problems_panel.h"
+#include "ui/library/library_forms.h"
 #include "ui/runs/metrics_panel.h"
 #include "ui/runs/runs_panel.h"
 #include "ui/scene/scene_panel.h"
@@ -53,6 +54,7 @@ Workbench::Workbench(DocumentModel& model, RunList& runs, QWidget* parent)
   setCorner(Qt::BottomLeftCorner, Qt::LeftDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   setCentralWidget(charts_);
+  connectLibrary(*experiment_, model);
   addPanel(experiment_, tr("Experiment"), Qt::LeftDockWidgetArea);
   addPanel(scene_, tr("3D scene"), Qt::RightDockWidgetArea);
   addPanel(runs_, tr("Runs"), Qt::RightDockWidgetArea);

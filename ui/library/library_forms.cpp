@@ -1,0 +1,26 @@
+#include "ui/library/library_forms.h"
+
+#include <memory>
+
+#include "ui/forms/experiment_panel.h"
+#include "ui/library/component_place.h"
+#include "ui/library/library_dialog.h"
+
+namespace rotorbench {
+
+void connectLibrary(ExperimentPanel& panel, DocumentModel& model) {
+  panel.setComponents(
+      [&model](const QString& path) { return !ComponentPlace(model, path).kinds().empty(); },
+      [&model, &panel](const QString& path) {
+        model.commitPendingEdits();
+        const auto place = std::make_shared<ComponentPlace>(model, path);
+        LibraryRequest request;
+        request.title = place->label();
+        request.kinds = place->kinds();
+        request.current = [place] { return place->current(); };
+        request.use = [place](const Component& component) { place->use(component); };
+        (new LibraryDialog(std::move(request), panel.window()))->open();
+      });
+}
+
+}  // namespace rotorbench
