@@ -14,5 +14,6 @@ void addRunCommand(CLI::App& app, int& code);
 void addListCommand(CLI::App& app, int& code);
 void addSchemaCommand(CLI::App& app, int& code);
 void addSetCommand(CLI::App& app, int& code);
+void addValidateCommand(CLI::App& app, int& code);
 
 }  // namespace rotorbench::cli

@@ -18,6 +18,7 @@ int main(int argc, char** argv) {
   addListCommand(app, code);
   addSchemaCommand(app, code);
   addSetCommand(app, code);
+  addValidateCommand(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -84,6 +84,7 @@ const QMap<QString, QStringList>& StructureTest::rules() {
       {"sim/experiment",
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/sensing",
         "sim/control", "sim/analysis", "sim/io"}},
+      {"sim/validation", {"sim/core", "sim/io", "sim/propulsion", "sim/experiment"}},
       {"sim/io", {"sim/core"}},
       {"ui/forms", seenByUi},
       {"ui/charts", seenByUi + QStringList{"ui/runs"}},
