@@ -1,7 +1,7 @@
 # What `cmake --install` and `cpack -G DEB` put where. The programs find their resources in
 # ../share/rotorbench beside them, so the prefix is free.
 install(TARGETS rotorbench-cli RUNTIME)
-install(DIRECTORY resources/experiments resources/help resources/icons resources/validation
+install(DIRECTORY resources/experiments resources/help resources/icons resources/library resources/validation
         DESTINATION ${CMAKE_INSTALL_DATADIR}/rotorbench
         PATTERN "*.py" EXCLUDE)
 
