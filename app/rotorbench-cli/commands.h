@@ -16,5 +16,6 @@ void addSchemaCommand(CLI::App& app, int& code);
 void addSetCommand(CLI::App& app, int& code);
 void addPerformanceCommand(CLI::App& app, int& code);
 void addDataSheetCommand(CLI::App& app, int& code);
+void addValidateCommand(CLI::App& app, int& code);
 
 }  // namespace rotorbench::cli

@@ -20,6 +20,7 @@ int main(int argc, char** argv) {
   addSetCommand(app, code);
   addPerformanceCommand(app, code);
   addDataSheetCommand(app, code);
+  addValidateCommand(app, code);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

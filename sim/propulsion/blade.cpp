@@ -9,7 +9,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kDegree = kPi / 180;
 constexpr double kPitchRadius = 0.75;  // r/R at which pitch is measured
-constexpr double kPitchWeight = 0.5;   // of the printed pitch against the digitised twist
+constexpr double kPitchWeight = 0.41;  // of the printed pitch against the digitised twist: fitted
 
 BladeShape interpolated(const std::vector<BladeStation>& s, double radius) {
   if (radius <= s.front().radius) return {s.front().chord, s.front().twist};

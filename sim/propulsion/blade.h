@@ -51,9 +51,10 @@ struct BladeShape {
   double twist;  ///< rad, with offset and blend
 };
 
-/// Twist to take off everywhere, rad: half of what the twist at 75 % radius differs from the printed
-/// pitch, atan(P/(0.75 pi D)). Digitised twist and printed pitch are both uncertain by some degrees;
-/// their mean was found to be the better guess. 0 where no pitch is known.
+/// Twist to take off everywhere, rad: 41 % of what the twist at 75 % radius differs from the printed
+/// pitch, atan(P/(0.75 pi D)). Digitised twist and printed pitch are both uncertain by some degrees; a
+/// mean of both was found to be the better guess, its weight fitted with the section's constants
+/// (analytic_section.h). 0 where no pitch is known.
 double nominalPitchBlend(const PropellerGeometry& geometry);
 
 /// Linear between stations, the end values beyond them; `blend` from nominalPitchBlend().

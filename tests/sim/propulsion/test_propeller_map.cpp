@@ -8,17 +8,11 @@
 #include "tests/validation/uiuc_data.h"
 
 using namespace rotorbench;
+using uiuc::propeller;
 
 namespace {
 
 constexpr double kDegree = M_PI / 180;
-
-PropellerGeometry propeller(const QString& name) {
-  for (const uiuc::Set& set : uiuc::readSets()) {
-    if (set.name.contains(' ' + name + ' ')) return set.geometry;
-  }
-  qFatal("no propeller %s", qPrintable(name));
-}
 
 struct Worst {
   double thrust = 0, torque = 0;

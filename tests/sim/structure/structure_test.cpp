@@ -87,6 +87,7 @@ const QMap<QString, QStringList>& StructureTest::rules() {
       {"sim/sizing",
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/analysis",
         "sim/experiment"}},
+      {"sim/validation", {"sim/core", "sim/io", "sim/propulsion", "sim/experiment"}},
       {"sim/io", {"sim/core"}},
       {"sim/library", {"sim/core", "sim/propulsion", "sim/vehicle", "sim/experiment", "sim/io"}},
       {"ui/forms", seenByUi},

@@ -1,0 +1,198 @@
+#include "sim/io/svg_chart.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+namespace rotorbench {
+
+namespace {
+
+constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                             "#e69f00", "#56b4e9", "#8c8c8c"};
+constexpr double kLeft = 62, kRight = 14, kTop = 30, kBottom = 44, kLegendLine = 17;
+
+std::string number(double value, const char* format) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+std::string pixel(double value) {
+  return number(value, "%.1f");
+}
+
+/// A range with a way to pictures' units; the ends are marks.
+struct Scale {
+  std::vector<double> ticks;
+  double from = 0, to = 1;  // picture
+  [[nodiscard]] double at(double value) const {
+    return from + (value - ticks.front()) / (ticks.back() - ticks.front()) * (to - from);
+  }
+};
+
+Scale scaleOf(const SvgChart& chart, const SvgAxis& axis, std::size_t index, double from,
+              double to) {
+  double least = std::numeric_limits<double>::infinity(), most = -least;
+  for (const SvgSeries& series : chart.series) {
+    for (const auto& point : series.points) {
+      if (!std::isfinite(point[0]) || !std::isfinite(point[1])) continue;
+      least = std::min(least, point.at(index));
+      most = std::max(most, point.at(index));
+    }
+  }
+  if (!(least <= most)) least = 0, most = 1;
+  return {axisTicks(axis.least.value_or(least), axis.most.value_or(most)), from, to};
+}
+
+std::string text(double x, double y, const char* anchor, const std::string& content,
+                 const std::string& more = {}) {
+  return "<text x=\"" + pixel(x) + "\" y=\"" + pixel(y) + "\" text-anchor=\"" + anchor + "\"" +
+         more + ">" + escapedMarkup(content) + "</text>\n";
+}
+
+std::string line(double x1, double y1, double x2, double y2, const char* kind) {
+  return "<line class=\"" + std::string(kind) + "\" x1=\"" + pixel(x1) + "\" y1=\"" + pixel(y1) +
+         "\" x2=\"" + pixel(x2) + "\" y2=\"" + pixel(y2) + "\"/>\n";
+}
+
+/// A mark with the digits its neighbours need.
+std::string tickText(const std::vector<double>& ticks, double tick) {
+  const double step = ticks.size() > 1 ? ticks[1] - ticks[0] : 1;
+  if (std::max(std::abs(ticks.front()), std::abs(ticks.back())) >= 1e6) {
+    return number(tick, "%g");
+  }
+  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+  return number(std::abs(tick) < step / 1e6 ? 0 : tick,
+                ("%." + std::to_string(decimals) + "f").c_str());
+}
+
+std::string axes(const SvgChart& chart, const Scale& x, const Scale& y) {
+  std::string svg;
+  for (const double tick : x.ticks) {
+    svg += line(x.at(tick), y.from, x.at(tick), y.to, "grid");
+    svg += text(x.at(tick), y.from + 16, "middle", tickText(x.ticks, tick));
+  }
+  for (const double tick : y.ticks) {
+    svg += line(x.from, y.at(tick), x.to, y.at(tick), "grid");
+    svg += text(x.from - 6, y.at(tick) + 4, "end", tickText(y.ticks, tick));
+  }
+  svg += line(x.from, y.from, x.to, y.from, "axis") + line(x.from, y.from, x.from, y.to, "axis");
+  svg += text((x.from + x.to) / 2, y.from + 34, "middle", chart.x.label);
+  const double middle = (y.from + y.to) / 2;
+  svg += text(14, middle, "middle", chart.y.label,
+              " transform=\"rotate(-90 14 " + pixel(middle) + ")\"");
+  return svg;
+}
+
+std::string curve(const SvgSeries& series, const Scale& x, const Scale& y) {
+  const std::string color = kColors.at(static_cast<std::size_t>(series.color) % kColors.size());
+  std::string path, dots;
+  bool open = false;
+  for (const auto& point : series.points) {
+    if (!std::isfinite(point[0]) || !std::isfinite(point[1])) {
+      open = false;
+      continue;
+    }
+    const std::string px = pixel(x.at(point[0])), py = pixel(y.at(point[1]));
+    if (series.style == SvgSeries::Style::Points) {
+      dots += "<circle cx=\"" + px + "\" cy=\"" + py + "\" r=\"2.4\"/>";
+    } else {
+      path += (open ? " L" : " M") + px + " " + py;
+    }
+    open = true;
+  }
+  if (series.style == SvgSeries::Style::Points) {
+    return "<g fill=\"" + color + "\" fill-opacity=\"0.75\">" + dots + "</g>\n";
+  }
+  const char* dash = series.style == SvgSeries::Style::Dashed ? " stroke-dasharray=\"6 4\"" : "";
+  return "<path fill=\"none\" stroke-width=\"1.8\" stroke=\"" + color + "\"" + dash + " d=\"" +
+         path + "\"/>\n";
+}
+
+/// One line per named series under the plot.
+std::string legend(const std::vector<SvgSeries>& series, double x, double y) {
+  std::string svg;
+  for (const SvgSeries& s : series) {
+    if (s.name.empty() || s.points.empty()) continue;
+    SvgSeries sample = s;
+    sample.points = s.style == SvgSeries::Style::Points
+                        ? std::vector<std::array<double, 2>>{{0.5, 0.5}}
+                        : std::vector<std::array<double, 2>>{{0, 0.5}, {1, 0.5}};
+    svg += curve(sample, {{0, 1}, x, x + 26}, {{0, 1}, y, y});
+    svg += text(x + 32, y + 4, "start", s.name);
+    y += kLegendLine;
+  }
+  return svg;
+}
+
+}  // namespace
+
+std::vector<double> axisTicks(double least, double greatest, int most) {
+  if (!std::isfinite(least) || !std::isfinite(greatest)) return {0, 1};
+  if (least > greatest) std::swap(least, greatest);
+  if (least == greatest) {
+    const double reach = least == 0 ? 1 : std::abs(least) / 2;
+    least -= reach, greatest += reach;
+  }
+  const double rough = (greatest - least) / std::max(1, most - 1);
+  const double power = std::pow(10, std::floor(std::log10(rough)));
+  double step = 10 * power;
+  for (const double factor : {1.0, 2.0, 5.0}) {
+    if (factor * power >= rough * (1 - 1e-9)) {
+      step = factor * power;
+      break;
+    }
+  }
+  constexpr double kRounding = 1e-9;  // an end that is a mark but for rounding
+  const double first = std::floor(least / step + kRounding);
+  const double last = std::max(first + 1, std::ceil(greatest / step - kRounding));
+  std::vector<double> ticks;
+  for (double i = first; i <= last; ++i) ticks.push_back(i * step);
+  return ticks;
+}
+
+std::string svgChart(const SvgChart& chart) {
+  const auto named =
+      std::count_if(chart.series.begin(), chart.series.end(),
+                    [](const SvgSeries& s) { return !s.name.empty() && !s.points.empty(); });
+  const double bottom = chart.height;
+  const double height = bottom + kLegendLine * static_cast<double>(named);
+  const Scale x = scaleOf(chart, chart.x, 0, kLeft, chart.width - kRight);
+  const Scale y = scaleOf(chart, chart.y, 1, bottom - kBottom, kTop);
+  std::string svg = "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
+                    pixel(chart.width) + " " + pixel(height) + "\" role=\"img\" aria-label=\"" +
+                    escapedMarkup(chart.title) +
+                    "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\">\n";
+  svg += text(kLeft, 17, "start", chart.title, " font-weight=\"600\"");
+  svg += axes(chart, x, y);
+  for (const SvgSeries& series : chart.series) {
+    if (!series.points.empty()) svg += curve(series, x, y);
+  }
+  return svg + legend(chart.series, kLeft, bottom + 8) + "</svg>\n";
+}
+
+std::string escapedMarkup(const std::string& text) {
+  std::string safe;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        safe += "&amp;";
+        break;
+      case '<':
+        safe += "&lt;";
+        break;
+      case '>':
+        safe += "&gt;";
+        break;
+      case '"':
+        safe += "&quot;";
+        break;
+      default:
+        safe += c;
+    }
+  }
+  return safe;
+}
+
+}  // namespace rotorbench
