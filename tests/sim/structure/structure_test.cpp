@@ -85,6 +85,7 @@ const QMap<QString, QStringList>& StructureTest::rules() {
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/sensing",
         "sim/control", "sim/analysis", "sim/io"}},
       {"sim/io", {"sim/core"}},
+      {"sim/measurement", {"sim/core", "sim/io"}},
       {"ui/forms", seenByUi},
       {"ui/charts", seenByUi + QStringList{"ui/runs"}},
       {"ui/scene", seenByUi + QStringList{"ui/runs"}},
