@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/core/scalar.h"
 #include "sim/core/schema.h"
 #include "sim/propulsion/motor.h"
 
@@ -66,11 +67,6 @@ class Supply {
 
  private:
   static constexpr int kCells = 200;
-  static double valueOf(double v) { return v; }
-  template <class S>
-  static double valueOf(const S& v) {
-    return v.value();
-  }
   std::array<double, kCells + 1> voltages_{};
 };
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "sim/core/scalar.h"
 #include "sim/propulsion/battery.h"
 #include "sim/propulsion/esc.h"
 #include "sim/propulsion/motor.h"
@@ -33,13 +34,6 @@ struct SpeedCurve {
     if (!(valueOf(place) < most)) return S(values.back());
     const auto i = static_cast<std::size_t>(valueOf(place));
     return S(values[i] + (place - static_cast<double>(i)) * (values[i + 1] - values[i]));
-  }
-
- private:
-  static double valueOf(double v) { return v; }
-  template <class S>
-  static double valueOf(const S& v) {
-    return v.value();
   }
 };
 

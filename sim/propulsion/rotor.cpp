@@ -6,8 +6,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kStandardDensity = 1.225;  // kg/m^3, ISO 2533:1975 at sea level
-
 void setInflow(RotorConstants& c, const RotorInflow& inflow, double density) {
   c.drag = inflow.drag / density;
   c.inflow = inflow.inflow / density;

@@ -16,6 +16,7 @@
 
 #include "sim/core/schema.h"
 #include "sim/propulsion/motor.h"
+#include "sim/propulsion/rotor_load.h"
 
 namespace rotorbench {
 
@@ -58,16 +59,6 @@ struct RotorParameters {
   int blades = 2;
   MotorParameters motor;
   bool operator==(const RotorParameters&) const = default;
-};
-
-/// Force and moment of a rotor in body axes, the moment about the hub. S is a scalar, or an array
-/// with one lane per rotor.
-template <class S, class Vector = Eigen::Matrix<S, 3, 1>>
-struct RotorLoad {
-  Vector force;
-  Vector moment;
-  S thrust;  ///< N along the axis
-  S torque;  ///< N m, aerodynamic, against the rotation
 };
 
 /// The lumped model per unit of air density, for one rotor (Real is double) or for several at once
