@@ -60,6 +60,7 @@ constexpr std::array kUnits{
     Unit{"mm/s", "m/s", 0.001},
     Unit{"km/h", "m/s", 1 / 3.6},
     Unit{"ft/s", "m/s", 0.3048},
+    Unit{"mph", "m/s", 0.44704},
     Unit{"m/s^2", "m/s^2", 1},
     Unit{"cm/s^2", "m/s^2", 0.01},
     Unit{"g0", "m/s^2", kGravity},
@@ -69,11 +70,16 @@ constexpr std::array kUnits{
     Unit{"gf", "N", kGravity / 1000},
     Unit{"kgf", "N", kGravity},
     Unit{"lbf", "N", kPound* kGravity},
+    Unit{"ozf", "N", kPound / 16 * kGravity},
     Unit{"N*m", "N*m", 1},
     Unit{"mN*m", "N*m", 0.001},
     Unit{"uN*m", "N*m", 1e-6},
     Unit{"N*cm", "N*m", 0.01},
     Unit{"lbf*ft", "N*m", kPound* kGravity * 0.3048},
+    Unit{"lbf*in", "N*m", kPound* kGravity * 0.0254},
+    Unit{"ozf*in", "N*m", kPound / 16 * kGravity * 0.0254},
+    Unit{"kgf*cm", "N*m", kGravity * 0.01},
+    Unit{"gf*cm", "N*m", kGravity * 1e-5},
     Unit{"Pa", "Pa", 1},
     Unit{"hPa", "Pa", 100},
     Unit{"kPa", "Pa", 1000},
@@ -96,6 +102,7 @@ constexpr std::array kUnits{
     Unit{"W", "W", 1},
     Unit{"mW", "W", 0.001},
     Unit{"kW", "W", 1000},
+    Unit{"hp", "W", kPound* kGravity * 0.3048 * 550},
     Unit{"J", "J", 1},
     Unit{"kJ", "J", 1000},
     Unit{"Wh", "J", 3600},
@@ -154,7 +161,7 @@ constexpr std::array kUnits{
 };
 
 /// Other spellings people use, after the signs have been unified.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 62> kAliases{{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 67> kAliases{{
     {"", "1"},
     {"-", "1"},
     {"percent", "%"},
@@ -184,6 +191,11 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 62> kAliases
     {"p", "gf"},
     {"Nm", "N*m"},
     {"mNm", "mN*m"},
+    {"in*lbf", "lbf*in"},
+    {"In-Lbf", "lbf*in"},
+    {"in-lbf", "lbf*in"},
+    {"Lbf", "lbf"},
+    {"Hp", "hp"},
     {"uNm", "uN*m"},
     {"Ncm", "N*cm"},
     {"m*N", "N*m"},

@@ -1,28 +1,18 @@
 #include <algorithm>
-#include <cctype>
 
 #include "sim/core/error.h"
 #include "sim/core/number_text.h"
 #include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
 #include "sim/io/csv.h"
+#include "sim/io/csv_cells.h"
 #include "sim/io/file.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
-constexpr std::size_t kMaxLine = std::size_t{1} << 20;
-constexpr std::size_t kMaxColumns = 1000;
 constexpr std::size_t kMostProblems = 20;
-
-std::string_view trimmed(std::string_view text) {
-  const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isSpace(text.back())) text.remove_suffix(1);
-  return text;
-}
 
 class TableReader {
  public:
@@ -31,7 +21,7 @@ class TableReader {
   }
 
   CsvTable read() {
-    if (rest_.size() > kMaxBytes) fail({}, "the file is too large", "must be at most 64 MiB");
+    if (rest_.size() > kMaxCsvBytes) fail({}, "the file is too large", "must be at most 64 MiB");
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
     readHeader();
     while (nextLine() && problems_.size() < kMostProblems) readRow();
@@ -52,11 +42,12 @@ class TableReader {
     while (!rest_.empty()) {
       const std::size_t end = std::min(rest_.find('\n'), rest_.size());
       ++number_;
-      if (end > kMaxLine) fail(linePath(), "the line is too long", "must be at most 1 MiB");
+      if (end > kMaxCsvLine) fail(linePath(), "the line is too long", "must be at most 1 MiB");
       line_ = rest_.substr(0, end);
       rest_.remove_prefix(std::min(end + 1, rest_.size()));
       if (line_.find('\0') != std::string_view::npos) fail(linePath(), "this is not text");
-      if (const auto plain = trimmed(line_); !plain.empty() && plain.front() != '#') return true;
+      if (const auto plain = trimmedCell(line_); !plain.empty() && plain.front() != '#')
+        return true;
     }
     return false;
   }
@@ -67,38 +58,29 @@ class TableReader {
                  : line_.find('\t') != std::string_view::npos ? '\t'
                                                               : ',';
     splitLine();
-    if (cells_.size() > kMaxColumns) {
+    if (cells_.size() > kMaxCsvColumns) {
       fail(linePath(), "there are " + std::to_string(cells_.size()) + " columns",
-           "must be at most " + std::to_string(kMaxColumns));
+           "must be at most " + std::to_string(kMaxCsvColumns));
     }
     for (const std::string& cell : cells_) addColumn(cell);
   }
 
   /// "rotor1 [rpm]" -> name and unit.
   void addColumn(const std::string& cell) {
-    CsvColumn column;
-    std::string_view name = trimmed(cell);
-    if (findInvalidUtf8(name)) fail(linePath(), "this is not text in UTF-8");
-    if (!name.empty() && (name.back() == ']' || name.back() == ')')) {
-      const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
-      if (open != std::string_view::npos && open > 0) {
-        column.unit = trimmed(name.substr(open + 1, name.size() - open - 2));
-        name = trimmed(name.substr(0, open));
-      }
-    }
+    if (findInvalidUtf8(cell)) fail(linePath(), "this is not text in UTF-8");
+    const auto [name, unit] = readHeading(cell);
     if (name.empty()) {
       fail(linePath(), "column " + std::to_string(table_.columns.size() + 1) + " has no name",
            "the first line must name each column");
     }
-    if (numberFrom(name)) {
+    if (readCell(name, separator_ != ',')) {
       fail(linePath(), "the first line holds the number " + excerpt(name),
            "must hold the names of the columns, like \"time [s]\"");
     }
     if (table_.find(name) != nullptr) {
       fail(linePath(), "there are two columns called " + excerpt(name), "names must differ");
     }
-    column.name = name;
-    table_.columns.push_back(std::move(column));
+    table_.columns.push_back({name, unit.empty() ? "1" : unit, {}});
   }
 
   void readRow() {
@@ -110,8 +92,8 @@ class TableReader {
     }
     for (std::size_t i = 0; i < cells_.size(); ++i) {
       CsvColumn& column = table_.columns[i];
-      const std::string_view cell = trimmed(cells_[i]);
-      const auto number = numberFrom(cell);
+      const std::string_view cell = trimmedCell(cells_[i]);
+      const auto number = readCell(cell, separator_ != ',');
       if (!number && problems_.size() < kMostProblems) {
         problems_.push_back(
             {linePath() + ", column " + excerpt(column.name),
@@ -122,54 +104,16 @@ class TableReader {
     }
   }
 
-  /// A number with a point, or with a comma where columns are not separated by it.
-  [[nodiscard]] std::optional<double> numberFrom(std::string_view cell) const {
-    if (!cell.empty() && cell.front() == '+') cell.remove_prefix(1);
-    if (separator_ == ',' || cell.find(',') == std::string_view::npos) return readNumber(cell);
-    if (cell.find('.') != std::string_view::npos) return {};
-    std::string point(cell);
-    std::replace(point.begin(), point.end(), ',', '.');
-    return readNumber(point);
-  }
-
-  /// Cells of line_, quotes taken off, doubled quotes made single.
+  /// Cells of line_.
   void splitLine() {
-    cells_.clear();
-    std::string_view rest = line_;
-    if (!rest.empty() && rest.back() == '\r') rest.remove_suffix(1);
-    while (true) {
-      cells_.emplace_back();
-      while (rest.starts_with(' ')) rest.remove_prefix(1);
-      if (rest.starts_with('"')) {
-        rest = takeQuoted(rest.substr(1), cells_.back());
-      } else {
-        const std::size_t end = std::min(rest.find(separator_), rest.size());
-        cells_.back() = rest.substr(0, end);
-        rest.remove_prefix(end);
-      }
-      if (rest.empty()) return;
-      rest.remove_prefix(1);
-    }
-  }
-
-  /// Returns what follows the closing quote, beginning at the separator.
-  std::string_view takeQuoted(std::string_view rest, std::string& cell) const {
-    while (true) {
-      const std::size_t end = rest.find('"');
-      if (end == std::string_view::npos) {
+    switch (splitCells(line_, separator_, cells_)) {
+      case CellFault::OpenQuote:
         fail(linePath(), "a quotation mark is not closed in its line");
-      }
-      cell += rest.substr(0, end);
-      rest.remove_prefix(end + 1);
-      if (!rest.starts_with('"')) break;
-      cell += '"';
-      rest.remove_prefix(1);
+      case CellFault::TextAfterQuote:
+        fail(linePath(), "there is text after a closing quotation mark");
+      case CellFault::None:
+        return;
     }
-    while (rest.starts_with(' ')) rest.remove_prefix(1);
-    if (!rest.empty() && rest.front() != separator_) {
-      fail(linePath(), "there is text after a closing quotation mark");
-    }
-    return rest;
   }
 
   std::string_view rest_, line_;
@@ -219,7 +163,7 @@ CsvTable readCsvTable(std::string_view text, const std::string& source) {
 }
 
 CsvTable readCsvFile(const std::filesystem::path& path) {
-  return readCsvTable(readTextFile(path, kMaxBytes), path.string());
+  return readCsvTable(readTextFile(path, kMaxCsvBytes), path.string());
 }
 
 }  // namespace rotorbench

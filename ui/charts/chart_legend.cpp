@@ -52,6 +52,13 @@ void LegendItem::paintEvent(QPaintEvent*) {
   if (!entry_.hidden) {
     painter.setPen(curvePen(entry_.style, theme, 2));
     painter.drawLine(kPadding, middle, kSample - kPadding, middle);
+    if (!entry_.style.line) {
+      constexpr int kMark = 3;  // radius, as in the plot
+      painter.setRenderHint(QPainter::Antialiasing);
+      painter.setBrush(theme.readable(entry_.style.color));
+      painter.drawEllipse(QPoint(kSample / 2, middle), kMark, kMark);
+      painter.setRenderHint(QPainter::Antialiasing, false);
+    }
   }
   QFont face = font();
   face.setStrikeOut(entry_.hidden);

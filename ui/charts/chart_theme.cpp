@@ -61,6 +61,7 @@ QColor ChartTheme::readable(const QColor& color) const {
 }
 
 QPen curvePen(const CurveStyle& style, const ChartTheme& theme, qreal width) {
+  if (!style.line) return QPen(Qt::NoPen);
   static const std::array<QList<qreal>, kDashCount> kDashes{
       QList<qreal>{}, {6, 3}, {2, 2}, {8, 3, 2, 3}, {12, 4}, {8, 2, 2, 2, 2, 2}};
   QPen pen(theme.readable(style.color), width);

@@ -25,6 +25,7 @@ struct CurveStyle {
   QColor color;
   int dash = 0;
   bool markers = false;
+  bool line = true;  ///< else marks only, as for measured data
   bool operator==(const CurveStyle&) const = default;
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 constexpr qreal kMarkerSize = 6;
 constexpr qsizetype kMostMarkers = 400;
+/// So many marks of a curve without a line are drawn; of more, every second, third, ...
+constexpr qsizetype kMostLooseMarkers = 2000;
 /// A curve whose line is longer than this many plot widths is a band: thin, solid and without smoothing, since
 /// dashes cannot be seen and everything else costs time.
 constexpr double kDenseWidths = 6;
@@ -96,6 +98,14 @@ Mapped toPixels(const FrameCurve& curve, const AxisScale& x, const AxisScale& y,
   straightener.finish();
   mapped.dense = length > kDenseWidths * size.width();
   return mapped;
+}
+
+QList<QPointF> thinned(const QList<QPointF>& points) {
+  const qsizetype step = points.size() / kMostLooseMarkers + 1;
+  if (step == 1) return points;
+  QList<QPointF> kept;
+  for (qsizetype i = 0; i < points.size(); i += step) kept.append(points[i]);
+  return kept;
 }
 
 }  // namespace
@@ -181,7 +191,7 @@ void CurveLayer::setFrame(const ChartFrame& frame, QSizeF size, const ChartTheme
     const FrameCurve& curve = frame.curves[i];
     auto& pair = impl_->pairs[i];
     const Mapped mapped = toPixels(curve, frame.x.scale, frame.y[curve.axis].scale, size);
-    if (mapped.dense) impl_->smooth = false;
+    if (mapped.dense && curve.style.line) impl_->smooth = false;
     CurveStyle style = curve.style;
     if (mapped.dense) style.dash = 0;
     const QPen pen = curvePen(style, theme, mapped.dense ? 1 : lineWidth);
@@ -190,7 +200,11 @@ void CurveLayer::setFrame(const ChartFrame& frame, QSizeF size, const ChartTheme
       pair.line->replace(mapped.points);
     const bool marks =
         mapped.points.size() == 1 || (style.markers && mapped.points.size() <= kMostMarkers);
-    impl_->setMarks(pair, marks ? mapped.points : QList<QPointF>(), theme.readable(style.color));
+    impl_->setMarks(pair,
+                    !style.line ? thinned(mapped.points)
+                    : marks     ? mapped.points
+                                : QList<QPointF>(),
+                    theme.readable(style.color));
   }
 }
 

@@ -40,7 +40,9 @@ void setStyles(std::vector<Curve>& curves, bool severalRuns, const RunSet& runs,
             .first->second;
     const int index = indexInName(curve.y().name);
     const int indexDash = index > 0 ? (index - 1) % kDashCount : 0;
-    curve.style.markers = markers;
+    const bool measured = runs.find(curve.runId)->measured;
+    curve.style.markers = markers || measured;
+    curve.style.line = !measured;
     if (severalRuns) {
       curve.style.color = runs.find(curve.runId)->color;
       curve.style.dash = index > 0 ? indexDash : ordinal % kDashCount;

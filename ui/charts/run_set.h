@@ -19,6 +19,7 @@ struct ChartRun {
   QColor color;
   std::shared_ptr<const Recording> recording;
   bool visible = true;
+  bool measured = false;  ///< drawn as marks without a line
 };
 
 class RunSet : public QObject {

@@ -20,6 +20,10 @@ bool sameInputs(const Experiment& a, const Experiment& b) {
 
 QString runDetail(const RunRecord& record) {
   const QLocale locale;
+  if (record.measured) {
+    return RunList::tr("Measured, %n row(s)", nullptr,
+                       static_cast<int>(record.status.outputs.front().recording->rows()));
+  }
   const QString simulated = locale.toString(record.status.progress.time, 'g', 4);
   const QString wall = locale.toString(record.status.wallSeconds, 'g', 2);
   switch (record.status.state) {
@@ -64,16 +68,34 @@ void RunList::announce(int id) {
 
 int RunList::add(const Experiment& experiment) {
   RunRecord record;
-  record.id = nextId_++;
-  record.name = tr("Run %1: %2").arg(record.id).arg(QString::fromStdString(experiment.title));
-  record.color = runColor(record.id - 1);
-  record.started = QDateTime::currentDateTime();
+  record.name = tr("Run %1: %2").arg(nextId_).arg(QString::fromStdString(experiment.title));
   record.experiment = experiment;
   record.status.state = RunState::Building;
+  return insert(std::move(record), !sameInputs(experiment, current_));
+}
+
+int RunList::addMeasured(const QString& name, const QString& note,
+                         std::shared_ptr<const Recording> recording) {
+  RunRecord record;
+  record.name = name.simplified();
+  record.note = note;
+  record.measured = true;
+  record.status.state = RunState::Finished;
+  record.status.outputs.push_back(
+      {record.name.toStdString(), std::const_pointer_cast<Recording>(std::move(recording))});
+  const int id = insert(std::move(record), false);
+  emit runsChanged();
+  return id;
+}
+
+int RunList::insert(RunRecord record, bool outOfDate) {
+  record.id = nextId_++;
+  record.color = runColor(record.id - 1);
+  record.started = QDateTime::currentDateTime();
   const int id = record.id;
   beginInsertRows({}, 0, 0);
   records_.insert(records_.begin(), std::move(record));
-  outOfDate_.insert(outOfDate_.begin(), !sameInputs(experiment, current_));
+  outOfDate_.insert(outOfDate_.begin(), outOfDate);
   endInsertRows();
   return id;
 }
@@ -124,7 +146,7 @@ void RunList::remove(int id) {
 void RunList::setCurrentExperiment(const Experiment& experiment) {
   current_ = experiment;
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    const bool outOfDate = !sameInputs(records_[i].experiment, current_);
+    const bool outOfDate = !records_[i].measured && !sameInputs(records_[i].experiment, current_);
     if (outOfDate == outOfDate_[i]) continue;
     outOfDate_[i] = outOfDate;
     announce(records_[i].id);

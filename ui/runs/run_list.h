@@ -20,6 +20,7 @@ struct RunRecord {
   QColor color;
   QDateTime started;
   bool visible = true;
+  bool measured = false;  ///< imported data: there is a recording, but no experiment it came from
   Experiment experiment;
   RunStatus status;  ///< with the recordings
 };
@@ -42,6 +43,9 @@ class RunList : public QAbstractListModel {
 
   /// Adds a run on top of the list; returns its id.
   int add(const Experiment& experiment);
+  /// Adds imported data; `note` says where they are from. Returns the id.
+  int addMeasured(const QString& name, const QString& note,
+                  std::shared_ptr<const Recording> recording);
   void setStatus(int id, RunStatus status);
   void rename(int id, const QString& name);
   void setNote(int id, const QString& note);
@@ -62,6 +66,8 @@ class RunList : public QAbstractListModel {
  private:
   RunRecord* edit(int id);
   void announce(int id);
+  /// Puts a record with id, colour and time on top of the list.
+  int insert(RunRecord record, bool outOfDate);
 
   std::vector<RunRecord> records_;
   std::vector<bool> outOfDate_;
@@ -69,7 +75,7 @@ class RunList : public QAbstractListModel {
   int nextId_ = 1;
 };
 
-/// "30 s in 0.42 s", "Stopped at 3.2 s of simulated time", in the reader's locale.
+/// "Measured, 154 rows", "30 s in 0.42 s", "Stopped at 3.2 s of simulated time", in the reader's locale.
 QString runDetail(const RunRecord& record);
 
 }  // namespace rotorbench

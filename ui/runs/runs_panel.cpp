@@ -101,8 +101,12 @@ void RunsPanel::updateActions() {
   const bool one = ids.size() == 1;
   rename_->setEnabled(one);
   note_->setEnabled(one);
-  duplicate_->setEnabled(one);
-  compare_->setEnabled(ids.size() == 2);
+  const auto computed = std::ranges::none_of(ids, [this](int id) {
+    const RunRecord* record = runs_.find(id);
+    return record == nullptr || record->measured;
+  });
+  duplicate_->setEnabled(one && computed);
+  compare_->setEnabled(ids.size() == 2 && computed);
   const bool active = std::ranges::any_of(ids, [this](int id) {
     const RunRecord* record = runs_.find(id);
     return record != nullptr && isActive(record->status.state);

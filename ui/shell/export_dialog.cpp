@@ -101,7 +101,7 @@ void ExportDialog::fillItems(const RunList& runs) {
   if (panes.size() > 1) addItem(tr("All charts"), {What::AllCharts, 0});
   addItem(tr("3D view"), {What::Scene, 0});
   for (const RunRecord& record : runs.records()) {
-    if (isActive(record.status.state) || record.status.outputs.empty()) continue;
+    if (record.measured || isActive(record.status.state) || record.status.outputs.empty()) continue;
     addItem(tr("Recording and metrics of %1").arg(record.name), {What::Run, record.id});
   }
   updateForItem();

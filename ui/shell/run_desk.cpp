@@ -107,7 +107,9 @@ void RunDesk::onDocumentOpened() {
   controller_.stop();
   documents_.model().setExtraValidator({});
   // Runs of another experiment stay in the list but leave the charts.
-  for (const RunRecord& record : std::vector(runs_.records())) runs_.setVisible(record.id, false);
+  for (const RunRecord& record : std::vector(runs_.records())) {
+    if (!record.measured) runs_.setVisible(record.id, false);
+  }
   runs_.setCurrentExperiment(documents_.experiment());
   shown_ = 0;
   bench_.metrics().setMetrics({}, {});
@@ -167,7 +169,7 @@ void RunDesk::reject(const RunRecord& record) {
 
 void RunDesk::showRun(int id) {
   const RunRecord* record = runs_.find(id);
-  if (record == nullptr) return;
+  if (record == nullptr || record->measured) return;
   shown_ = id;
   sceneBound_ = !record->status.outputs.empty();
   bench_.scene().setModel(vehicleOf(record->experiment));
@@ -178,7 +180,8 @@ void RunDesk::showRun(int id) {
 
 void RunDesk::showMetrics(int id) {
   const RunRecord* record = runs_.find(id);
-  if (record != nullptr) bench_.metrics().setMetrics(record->name, record->status.metrics);
+  if (record != nullptr && !record->measured)
+    bench_.metrics().setMetrics(record->name, record->status.metrics);
 }
 
 // The runs of one experiment (the methods of a comparison) follow each other in the palette; the colour of the
@@ -198,7 +201,7 @@ void RunDesk::fillRunSet() {
            : visible > 1       ? tr("%1 (%2)").arg(part, whose)
                                : part,
            outputs.size() > 1 ? runColor(record.id - 1 + static_cast<int>(i)) : record.color,
-           outputs[i].recording, record.visible});
+           outputs[i].recording, record.visible, record.measured});
     }
   }
   // The oldest first, so that the newest is drawn on top.

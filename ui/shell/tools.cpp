@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "ui/library/library_dialog.h"
+#include "ui/measurement/import_dialog.h"
 #include "ui/propeller/propeller_editor.h"
 #include "ui/shell/document_controller.h"
 #include "ui/sizing/data_sheet_dialog.h"
@@ -40,6 +41,12 @@ void openPerformance(const ToolContext& context) {
   (new PerformanceDialog(context.documents.model(), context.window))->show();
 }
 
+void openImport(const ToolContext& context) {
+  auto* dialog = new ImportDialog(context.runs, context.window);
+  QObject::connect(dialog, &ImportDialog::imported, context.window, context.say);
+  dialog->open();
+}
+
 }  // namespace
 
 const std::vector<Tool>& tools() {
@@ -54,6 +61,8 @@ const std::vector<Tool>& tools() {
       {"toolPerformance", "&Performance of the vehicle…", "view-statistics",
        "What the vehicle lifts, how long and how fast it flies, and what limits it",
        openPerformance},
+      {"toolImport", "&Import measured data…", "document-import",
+       "Adds the log of a stand or a tunnel to the charts", openImport},
   };
   return kTools;
 }

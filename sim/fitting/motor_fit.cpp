@@ -1,0 +1,207 @@
+#include "sim/fitting/motor_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "sim/core/error.h"
+#include "sim/fitting/measured_rows.h"
+
+namespace rotorbench {
+
+namespace {
+
+/// Throttle from which the speed controller is taken to be fully on.
+constexpr double kFull = 0.999;
+/// Rows below this speed, rad/s, are a motor at rest.
+constexpr double kTurning = 10;
+
+struct Row {
+  double throttle = 0, voltage = 0, current = 0, speed = 0;
+  double torque = 0;  ///< N m that does not follow from the speed
+  bool dutyKnown = false;
+};
+
+/// A motor and the k_m of its load, as the fit moves them.
+struct Candidate {
+  MotorParameters motor;
+  double torqueCoefficient = 0;
+};
+
+/// Parameters in the order of the problem, and where each goes.
+struct Choice {
+  FitParameter parameter;
+  double Candidate::*coefficient = nullptr;
+  double MotorParameters::*member = nullptr;
+};
+
+Candidate candidateOf(const MotorFitSetup& setup) {
+  Candidate c{setup.start, setup.torque == ShaftTorque::Propeller ? setup.torqueCoefficient : 0};
+  c.motor.resistance += setup.escResistance;
+  return c;
+}
+
+std::vector<Choice> choicesOf(const MotorFitSetup& setup) {
+  const Candidate start = candidateOf(setup);
+  const MotorParameters& m = start.motor;
+  std::vector<Choice> choices;
+  if (setup.fitSpeedConstant) {
+    choices.push_back({{"speedConstant", "Speed constant", "rad/s/V", "rpm/V", m.speedConstant,
+                        0.1 * m.speedConstant, 10 * m.speedConstant, m.speedConstant},
+                       nullptr,
+                       &MotorParameters::speedConstant});
+  }
+  if (setup.fitResistance) {
+    choices.push_back({{"resistance", "Resistance", "Ohm", "mOhm", m.resistance,
+                        setup.escResistance + 1e-5, 100 * m.resistance, m.resistance},
+                       nullptr,
+                       &MotorParameters::resistance});
+  }
+  if (setup.fitNoLoadCurrent) {
+    const double scale = std::max(m.noLoadCurrent, 0.1);
+    choices.push_back(
+        {{"noLoadCurrent", "No-load current", "A", "A", m.noLoadCurrent, 0, 100 * scale, scale},
+         nullptr,
+         &MotorParameters::noLoadCurrent});
+  }
+  if (setup.fitViscousShare) {
+    choices.push_back(
+        {{"viscousShare", "Viscous share of friction", "1", "%", m.viscousShare, 0, 1, 0.3},
+         nullptr,
+         &MotorParameters::viscousShare});
+  }
+  if (setup.fitTorqueCoefficient && setup.torque == ShaftTorque::Propeller) {
+    const double k = start.torqueCoefficient;
+    choices.push_back({{"torqueCoefficient", "Torque coefficient of the propeller", "N*m*s^2",
+                        "N*m*s^2", k, 1e-3 * k, 1e3 * k, k},
+                       &Candidate::torqueCoefficient,
+                       nullptr});
+  }
+  return choices;
+}
+
+Candidate apply(const std::vector<Choice>& choices, std::span<const double> p, Candidate c) {
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (choices[i].member != nullptr) c.motor.*choices[i].member = p[i];
+    if (choices[i].coefficient != nullptr) c.*choices[i].coefficient = p[i];
+  }
+  return c;
+}
+
+std::vector<std::string_view> columnsFor(const MotorFitSetup& setup) {
+  std::vector<std::string_view> keys{"motor.speed", "supply.voltage", "supply.current"};
+  if (setup.duty != DutyFrom::Unknown) keys.emplace_back("throttle");
+  if (setup.torque == ShaftTorque::Measured) keys.emplace_back("motor.torque");
+  if (setup.torque == ShaftTorque::FromThrust) keys.emplace_back("thrust");
+  return keys;
+}
+
+std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) {
+  std::vector<Row> rows;
+  for (const std::vector<double>& values : finiteRows(table, columnsFor(setup))) {
+    Row row{.throttle = 1, .voltage = values[1], .current = values[2], .speed = values[0]};
+    std::size_t next = 3;
+    if (setup.duty != DutyFrom::Unknown) row.throttle = values[next++];
+    if (setup.torque == ShaftTorque::Measured) row.torque = std::abs(values[next]);
+    if (setup.torque == ShaftTorque::FromThrust)
+      row.torque = setup.torquePerThrust * std::abs(values[next]);
+    row.dutyKnown = setup.duty == DutyFrom::Throttle ||
+                    (setup.duty == DutyFrom::FullThrottle && row.throttle >= kFull);
+    if (row.speed > kTurning && row.voltage > 0 && row.throttle > 0) rows.push_back(row);
+  }
+  return rows;
+}
+
+/// Speed held at terminal voltage v against torque + k w^2: dV = R i + K w with K i = friction + torque + k w^2. Friction
+/// is a straight line over the speed of a turning motor, so that this is a quadratic equation.
+double speedOf(const MotorConstants& m, double k, const Row& row) {
+  const double perCurrent = m.resistance / m.torqueConstant;
+  const double a = perCurrent * k;
+  const double b = m.torqueConstant + perCurrent * m.viscousFriction;
+  const double c = perCurrent * (m.dryFriction + row.torque) - row.throttle * row.voltage;
+  // The stable form: no difference of nearly equal numbers where a is small.
+  return -2 * c / (b + std::sqrt(std::max(b * b - 4 * a * c, 0.0)));
+}
+
+double currentOf(const MotorConstants& m, double k, const Row& row, double speed) {
+  return (m.dryFriction + m.viscousFriction * speed + row.torque + k * speed * speed) /
+         m.torqueConstant;
+}
+
+/// Supply current without a duty: the power of the motor over the voltage.
+double currentByPower(const MotorConstants& m, double k, const Row& row) {
+  const double i = currentOf(m, k, row, row.speed);
+  return (m.resistance * i + m.torqueConstant * row.speed) * i / row.voltage;
+}
+
+enum Output : std::size_t { kSpeed, kCurrent };
+
+FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
+                     const Candidate& start) {
+  FitProblem problem;
+  for (const Choice& choice : choices) problem.parameters.push_back(choice.parameter);
+  double mostSpeed = 0, mostCurrent = 0;
+  for (const Row& row : rows) {
+    mostSpeed = std::max(mostSpeed, row.speed),
+    mostCurrent = std::max(mostCurrent, std::abs(row.current));
+    if (row.dutyKnown) problem.points.push_back({kSpeed, row.throttle, row.speed});
+    problem.points.push_back({kCurrent, row.throttle, row.current});
+  }
+  problem.outputs = {{"Motor speed", "rad/s", "rpm", mostSpeed},
+                     {"Supply current", "A", "A", std::max(mostCurrent, 1e-3)}};
+  problem.abscissa = "Throttle", problem.abscissaUnit = "1", problem.abscissaShown = "%";
+  problem.predict = [rows = std::move(rows), choices, start](std::span<const double> p,
+                                                             std::span<double> predicted) {
+    const Candidate at = apply(choices, p, start);
+    const MotorConstants m = buildMotor(at.motor);
+    std::size_t i = 0;
+    for (const Row& row : rows) {
+      if (!row.dutyKnown) {
+        predicted[i++] = currentByPower(m, at.torqueCoefficient, row);
+        continue;
+      }
+      const double speed = speedOf(m, at.torqueCoefficient, row);
+      predicted[i++] = speed;
+      predicted[i++] = row.throttle * currentOf(m, at.torqueCoefficient, row, speed);
+    }
+    return std::ranges::all_of(predicted, [](double value) { return std::isfinite(value); });
+  };
+  return problem;
+}
+
+}  // namespace
+
+std::vector<std::string> missingForMotorFit(const MeasuredTable& table,
+                                            const MotorFitSetup& setup) {
+  std::vector<std::string> missing = missingColumns(table, columnsFor(setup));
+  const std::vector<Choice> choices = choicesOf(setup);
+  if (choices.empty()) missing.emplace_back("No parameter is chosen to be fitted.");
+  if (!missing.empty()) return missing;
+  const std::vector<Row> rows = rowsOf(table, setup);
+  if (rows.size() < choices.size()) {
+    missing.push_back("Only " + std::to_string(rows.size()) +
+                      " rows hold all the needed columns and a turning motor; at least " +
+                      std::to_string(choices.size()) + " are needed.");
+  }
+  return missing;
+}
+
+FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& setup) {
+  throwIfAny(table, missingForMotorFit(table, setup));
+  return problemOf(rowsOf(table, setup), choicesOf(setup), candidateOf(setup));
+}
+
+FittedMotor motorFrom(const FitResult& result, const MotorFitSetup& setup) {
+  const std::vector<Choice> choices = choicesOf(setup);
+  Candidate c = candidateOf(setup);
+  for (const Choice& choice : choices) {
+    const FittedParameter* found = result.find(choice.parameter.key);
+    if (found == nullptr || !found->determined) continue;
+    if (choice.member != nullptr) c.motor.*choice.member = found->value;
+    if (choice.coefficient != nullptr) c.*choice.coefficient = found->value;
+  }
+  c.motor.resistance -= setup.escResistance;
+  return {c.motor, c.torqueCoefficient};
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,57 @@
+// Motor constants from the log of a stand by the equations of the averaged machine in its steady state. SI units.
+//   winding    d V = R i + K w,   i = I/d                        (d: duty, V and I: supply, R with speed controller)
+//   shaft      K i = friction(w) + Q                             friction from I0 and its viscous share (motor.h)
+// Where the duty of a row is known, speed and supply current are predicted from it; where it is not, the supply current
+// from the measured speed by the power V I = R i^2 + K w i, which needs no duty. Rows that accelerate are not steady:
+// logs with steps should be cut to their plateaus.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/fitting/least_squares.h"
+#include "sim/measurement/measured_table.h"
+#include "sim/propulsion/motor.h"
+
+namespace rotorbench {
+
+/// Where the torque of the load comes from.
+enum class ShaftTorque {
+  Measured,    ///< the torque column
+  FromThrust,  ///< thrust times torquePerThrust
+  Propeller,   ///< k_m w^2; k_m can be fitted too
+  None,        ///< nothing on the shaft
+};
+
+/// What the throttle says about the duty.
+enum class DutyFrom {
+  Throttle,      ///< duty = throttle
+  FullThrottle,  ///< 1 at full throttle, else unknown: for speed controllers with a curve of their own
+  Unknown,
+};
+
+struct MotorFitSetup {
+  MotorParameters start;
+  double escResistance = 0;  ///< Ohm, part of R that is not the motor's
+  ShaftTorque torque = ShaftTorque::Propeller;
+  double torqueCoefficient = 1e-7;  ///< k_m, N m s^2: start, or value where it is not fitted
+  double torquePerThrust = 0;       ///< m, for FromThrust
+  DutyFrom duty = DutyFrom::Throttle;
+  bool fitSpeedConstant = true, fitResistance = true, fitNoLoadCurrent = true;
+  bool fitViscousShare = false;
+  bool fitTorqueCoefficient = true;  ///< for ShaftTorque::Propeller
+};
+
+/// What the table lacks for this fit, one sentence each; empty if it can be done.
+std::vector<std::string> missingForMotorFit(const MeasuredTable& table, const MotorFitSetup& setup);
+
+/// Throws InputError with those sentences.
+FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& setup);
+
+struct FittedMotor {
+  MotorParameters motor;         ///< `start` with the fitted values that were determined
+  double torqueCoefficient = 0;  ///< N m s^2
+};
+FittedMotor motorFrom(const FitResult& result, const MotorFitSetup& setup);
+
+}  // namespace rotorbench

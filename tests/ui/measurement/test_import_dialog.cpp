@@ -1,0 +1,193 @@
+// The import as a person does it: a file is named, columns are chosen, sentences are read, a measured run appears.
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFile>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <filesystem>
+
+#include "ui/measurement/import_dialog.h"
+#include "ui/measurement/mapping_table.h"
+
+using namespace rotorbench;
+
+namespace {
+
+const QString kLog = QStringLiteral(TEST_DATA_DIR "/measurement/strawson_a1_11.csv");
+
+/// A dialog that a file was typed into.
+struct Opened {
+  RunList runs;
+  QPointer<ImportDialog> dialog = new ImportDialog(runs);
+
+  explicit Opened(const QString& file) {
+    dialog->show();
+    auto* edit = child<QLineEdit>("importFile");
+    edit->setFocus();
+    QTest::keyClicks(edit, file);
+    QTest::keyClick(edit, Qt::Key_Tab);
+  }
+  ~Opened() { delete dialog; }
+
+  template <class W>
+  [[nodiscard]] W* child(const char* name) const {
+    return dialog->findChild<W*>(name);
+  }
+  [[nodiscard]] QString report() const {
+    return child<QPlainTextEdit>("importReport")->toPlainText();
+  }
+  [[nodiscard]] QPushButton* ok() const {
+    return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
+  }
+  void choose(const char* box, const QString& text) const {
+    auto* combo = child<QComboBox>(box);
+    QVERIFY2(combo != nullptr, box);
+    const int index = combo->findText(text);
+    QVERIFY2(index >= 0, qPrintable(text));
+    combo->setCurrentIndex(index);
+  }
+};
+
+}  // namespace
+
+class TestImportDialog : public QObject {
+  Q_OBJECT
+ private slots:
+  void initTestCase();
+  void importsALog();
+  void remembersTheMapping();
+  void brokenFiles_data();
+  void brokenFiles();
+  void layoutIsCorrected();
+  void quantityAndUnitAreChosen();
+  void pictures();
+
+ private:
+  QString write(const QString& name, const QByteArray& text) const;
+  QTemporaryDir folder_;
+};
+
+void TestImportDialog::initTestCase() {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+  QApplication::setOrganizationName("Rotorbench");
+  QApplication::setApplicationName("Rotorbench");
+}
+
+QString TestImportDialog::write(const QString& name, const QByteArray& text) const {
+  QFile file(folder_.filePath(name));
+  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write");
+  return file.fileName();
+}
+
+void TestImportDialog::importsALog() {
+  Opened opened(kLog);
+  QVERIFY2(opened.report().startsWith("11 row(s) of time, throttle, thrust, supply.voltage"),
+           qPrintable(opened.report()));
+  auto* name = opened.child<QLineEdit>("importName");
+  QCOMPARE(name->text(), QString("strawson_a1_11"));
+  name->selectAll();
+  QTest::keyClicks(name, "EMAX on the stand");
+  QSignalSpy said(opened.dialog, &ImportDialog::imported);
+  QTest::mouseClick(opened.ok(), Qt::LeftButton);
+  QCOMPARE(said.size(), 1);
+  QCOMPARE(opened.runs.records().size(), std::size_t{1});
+  const RunRecord& record = opened.runs.records().front();
+  QVERIFY(record.measured && record.visible);
+  QCOMPARE(record.name, QString("EMAX on the stand"));
+  QCOMPARE(runDetail(record), QString("Measured, 11 row(s)"));
+  QVERIFY(record.note.contains("strawson_a1_11.csv"));
+  QCOMPARE(record.status.outputs.front().recording->rows(), std::size_t{11});
+}
+
+void TestImportDialog::remembersTheMapping() {
+  const QString file = write("again.csv", "time [s],a [N]\n0,1\n1,2\n");
+  {
+    Opened first(file);
+    first.choose("quantity1", "Thrust");
+    QTRY_VERIFY(first.report().startsWith("2 row(s) of time, thrust"));
+    QTest::mouseClick(first.ok(), Qt::LeftButton);
+  }
+  Opened second(write("other.csv", "time [s],a [N]\n0,5\n"));
+  QVERIFY2(second.report().startsWith("1 row(s) of time, thrust"), qPrintable(second.report()));
+}
+
+void TestImportDialog::brokenFiles_data() {
+  QTest::addColumn<QByteArray>("text");
+  QTest::addColumn<QString>("sentence");
+  QTest::addColumn<bool>("usable");
+  QTest::addRow("empty") << QByteArray() << "The file is empty." << false;
+  QTest::addRow("zero bytes") << QByteArray("a,b\n\0\n", 6) << "zero bytes" << false;
+  QTest::addRow("compressed") << QByteArray("\x1F\x8B\x08") << "compressed" << false;
+  QTest::addRow("no known columns") << QByteArray("a,b\n1,2\n") << "No column is chosen." << false;
+  QTest::addRow("only names") << QByteArray("time,thrust\n") << "no rows below the names" << false;
+  QTest::addRow("text in numbers") << QByteArray("time [s],thrust [N]\n0,1\n1,two\n2,3\n")
+                                   << "1 cell is not a number (first in line 3: \"two\")" << true;
+  QTest::addRow("missing cells") << QByteArray("time [s],thrust [N]\n0,1\n1\n2,3\n")
+                                 << "1 row has fewer cells than there are columns" << true;
+  QTest::addRow("long line") << "time [s],thrust [N]\n0,1\n" + QByteArray(2 << 20, '5') + "\n1,2\n"
+                             << "1 line is longer than 1 MiB (first in line 3)" << true;
+}
+
+void TestImportDialog::brokenFiles() {
+  QFETCH(QByteArray, text);
+  QFETCH(QString, sentence);
+  QFETCH(bool, usable);
+  const Opened opened(write("broken.csv", text));
+  QVERIFY2(opened.report().contains(sentence, Qt::CaseInsensitive), qPrintable(opened.report()));
+  QCOMPARE(opened.ok()->isEnabled(), usable);
+}
+
+void TestImportDialog::layoutIsCorrected() {
+  const QString file = write("comma.csv", "time [s];thrust [N]\n0;1,5\n1;2,5\n");
+  const Opened opened(file);
+  QCOMPARE(opened.child<QComboBox>("importSeparator")->currentText(), QString("Semicolon"));
+  QCOMPARE(opened.child<QComboBox>("importDecimalMark")->currentText(), QString("Comma"));
+  QVERIFY(opened.ok()->isEnabled());
+  opened.choose("importDecimalMark", "Point");
+  QTRY_VERIFY2(opened.report().contains("is the decimal mark a comma?"),
+               qPrintable(opened.report()));
+  opened.choose("importSeparator", "Tab");
+  QTRY_VERIFY(!opened.ok()->isEnabled());
+  opened.choose("importSeparator", "Semicolon");
+  opened.choose("importDecimalMark", "Comma");
+  QTRY_VERIFY(opened.ok()->isEnabled());
+  QTRY_COMPARE(opened.report(), QString("2 row(s) of time, thrust will be imported."));
+}
+
+void TestImportDialog::quantityAndUnitAreChosen() {
+  Opened opened(write("units.csv", "throttle,load\n20,100\n80,400\n"));
+  QCOMPARE(opened.child<QComboBox>("importGroup")->currentText(),
+           QString("Steady points over the throttle"));
+  opened.choose("quantity1", "Thrust");
+  opened.choose("unit1", "gf");
+  QTRY_VERIFY(opened.report().contains("over_throttle.thrust"));
+  opened.choose("quantity0", "Thrust");
+  QTRY_VERIFY2(opened.report().contains("is chosen twice"), qPrintable(opened.report()));
+  QVERIFY(!opened.ok()->isEnabled());
+  opened.choose("quantity0", "Throttle");
+  QTRY_VERIFY(opened.ok()->isEnabled());
+  QTest::mouseClick(opened.ok(), Qt::LeftButton);
+  const Recording& recording = *opened.runs.records().front().status.outputs.front().recording;
+  QVERIFY(std::abs(recording.value(1, 1) - 0.4 * 9.80665) < 1e-12);
+}
+
+/// A picture of the dialog where ROTORBENCH_PICTURES names a folder, to be looked at.
+void TestImportDialog::pictures() {
+  Opened opened(kLog);
+  QVERIFY(opened.dialog->sizeHint().width() < 1280);
+  const QString folder = qEnvironmentVariable("ROTORBENCH_PICTURES");
+  if (folder.isEmpty()) QSKIP("no folder for pictures");
+  QVERIFY(opened.dialog->grab().save(folder + "/import.png"));
+  opened.dialog->resize(opened.dialog->minimumSizeHint());
+  QVERIFY(opened.dialog->grab().save(folder + "/import-small.png"));
+}
+
+QTEST_MAIN(TestImportDialog)
+#include "test_import_dialog.moc"

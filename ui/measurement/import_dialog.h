@@ -1,0 +1,67 @@
+// Import of measured data: the file, how its lines are cut, what each column is, and in sentences what will come of it.
+// The result is a measured run beside the computed ones.
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <optional>
+
+#include "sim/measurement/csv_import.h"
+#include "ui/runs/run_list.h"
+
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+class QPlainTextEdit;
+class QSpinBox;
+
+namespace rotorbench {
+
+class MappingTable;
+
+class ImportDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  explicit ImportDialog(RunList& runs, QWidget* parent = nullptr);
+
+  /// Reads the file and guesses what it holds, or takes what was chosen for such a file before.
+  void openFile(const QString& file);
+
+ signals:
+  /// A measured run was added; one sentence about it.
+  void imported(const QString& sentence);
+
+ private:
+  void build();
+  QWidget* buildLayoutRow();
+  void browse();
+  void takeSettings(const ImportSettings& settings);
+  [[nodiscard]] CsvLayout chosenLayout() const;
+  void layoutEdited();
+  void mappingEdited();
+  void check();
+  void finish();
+  void say(const QString& text, bool usable);
+
+  RunList& runs_;
+  std::optional<TextLines> lines_;
+  ImportSettings settings_;
+  CsvPreview preview_;
+  QTimer checkTimer_;
+
+  QLineEdit* file_ = nullptr;
+  QLineEdit* name_ = nullptr;
+  QComboBox* separator_ = nullptr;
+  QComboBox* mark_ = nullptr;
+  QComboBox* group_ = nullptr;
+  QSpinBox* header_ = nullptr;
+  QSpinBox* skipped_ = nullptr;
+  QWidget* layoutRow_ = nullptr;
+  MappingTable* table_ = nullptr;
+  QPlainTextEdit* report_ = nullptr;
+  QDialogButtonBox* buttons_ = nullptr;
+};
+
+}  // namespace rotorbench
