@@ -120,10 +120,12 @@ void ComponentList::addEntry(QTreeWidgetItem* group, const LibraryEntry& entry) 
   item->setData(kName, kFileRole, fileOf(entry));
   item->setToolTip(kName, toQString(info.name));
   item->setToolTip(kFigures, figures);
-  if (info.warning.empty()) return;
-  item->setIcon(kName, form_style::discIcon(
-                           form_style::severityColour(form_style::Severity::Warning, palette())));
-  item->setData(kName, Qt::AccessibleDescriptionRole, toQString(info.warning));
+  const bool warned = !info.warning.empty();
+  // Those without a warning have an invisible sign, so that all names stand in line.
+  item->setIcon(kName, form_style::discIcon(warned ? form_style::severityColour(
+                                                         form_style::Severity::Warning, palette())
+                                                   : QColor(Qt::transparent)));
+  if (warned) item->setData(kName, Qt::AccessibleDescriptionRole, toQString(info.warning));
 }
 
 void ComponentList::fill() {

@@ -2,6 +2,7 @@
 
 #include <QAction>
 #include <QDialogButtonBox>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSplitter>
@@ -58,14 +59,6 @@ LibraryDialog::LibraryDialog(LibraryRequest request, QWidget* parent)
   if (use_ != nullptr) use_->setDefault(true);  // counts only inside the dialog
   connect(list_, &ComponentList::currentChanged, this, &LibraryDialog::showCurrent);
   connect(list_, &ComponentList::activated, this, &LibraryDialog::use);
-  // The window answers F1 by what has the focus, and this dialog keeps the key from it.
-  auto* help = new QAction(this);
-  help->setShortcut(QKeySequence::HelpContents);
-  addAction(help);
-  connect(help, &QAction::triggered, this, [parent] {
-    auto* action = parent == nullptr ? nullptr : parent->findChild<QAction*>("actionHelpHere");
-    if (action != nullptr) action->trigger();
-  });
   showCurrent();
   sayFaults();
   list_->focusSearch();
@@ -158,6 +151,16 @@ void LibraryDialog::sayFaults() {
                      .arg(toQString(fault.file.filename().string()), toQString(fault.sentence));
   }
   if (!sentences.isEmpty()) say(sentences.join(QLatin1Char('\n')), true);
+}
+
+/// The window answers F1 by what has the focus, and this dialog keeps the key from it.
+void LibraryDialog::keyPressEvent(QKeyEvent* event) {
+  if (event->key() != Qt::Key_F1 || parentWidget() == nullptr) {
+    return QDialog::keyPressEvent(event);
+  }
+  if (auto* help = parentWidget()->findChild<QAction*>(QStringLiteral("actionHelpHere"))) {
+    help->trigger();
+  }
 }
 
 void LibraryDialog::use() {

@@ -42,6 +42,9 @@ class LibraryDialog : public QDialog {
   LibraryDialog(LibraryRequest request, QWidget* parent);
   ~LibraryDialog() override;
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   QWidget* buildManaging();
   QWidget* buildClosing();

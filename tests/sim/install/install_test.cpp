@@ -57,10 +57,11 @@ void InstallTest::shippedFilesAreThere_data() {
   for (const char* file :
        {"bin/rotorbench", "bin/rotorbench-cli",
         "share/rotorbench/experiments/f450-hover-and-steps.json",
-        "share/rotorbench/help/index.html", "share/applications/rotorbench.desktop",
-        "share/icons/hicolor/scalable/apps/rotorbench.svg", "share/mime/packages/rotorbench.xml",
-        "share/metainfo/rotorbench.metainfo.xml", "share/man/man1/rotorbench.1.gz",
-        "share/man/man1/rotorbench-cli.1.gz", "share/doc/rotorbench/copyright"}) {
+        "share/rotorbench/help/index.html", "share/rotorbench/library/motors/dji-e305-2312e.json",
+        "share/applications/rotorbench.desktop", "share/icons/hicolor/scalable/apps/rotorbench.svg",
+        "share/mime/packages/rotorbench.xml", "share/metainfo/rotorbench.metainfo.xml",
+        "share/man/man1/rotorbench.1.gz", "share/man/man1/rotorbench-cli.1.gz",
+        "share/doc/rotorbench/copyright"}) {
     QTest::addRow("%s", file) << QString(file);
   }
 }

@@ -33,6 +33,12 @@ double figureOfMerit(double thrust, double power, double diameter) {
   return std::pow(thrust, 1.5) / std::sqrt(2 * kAir.density * disc) / power;
 }
 
+double diameterOf(const RotorAerodynamics& aerodynamics) {
+  const auto* propeller = std::get_if<PropellerCoefficients>(&aerodynamics);
+  return propeller != nullptr ? propeller->diameter
+                              : std::get<RotorCoefficients>(aerodynamics).diameter;
+}
+
 /// Largest shaft power over electrical power of a motor at a fixed voltage.
 double peakEfficiency(const MotorConstants& m, double voltage) {
   double best = 0;
@@ -278,17 +284,18 @@ void TestShippedComponents::airframes() {
   const double kf = r.thrust * kAir.density, km = r.torque * kAir.density;
   const double hover = std::sqrt(weight / 4 / kf);
   const double hoverVoltage = m.steadyVoltage(hover, m.steadyCurrent(hover, km * hover * hover));
-  BETWEEN(hoverVoltage / v.supply.voltage, 0.2, 0.95);
+  const double voltage = Supply(SupplyModel(v.supply)).openCircuit(1.0);
+  BETWEEN(hoverVoltage / voltage, 0.2, 0.95);
   BETWEEN(m.steadyCurrent(hover, km * hover * hover), 0, m.maxCurrent);
   // Full voltage: bisection for the speed.
-  double low = hover, high = v.supply.voltage / m.torqueConstant;
+  double low = hover, high = voltage / m.torqueConstant;
   for (int k = 0; k < 60; ++k) {
     const double w = (low + high) / 2;
-    (m.steadyVoltage(w, m.steadyCurrent(w, km * w * w)) < v.supply.voltage ? low : high) = w;
+    (m.steadyVoltage(w, m.steadyCurrent(w, km * w * w)) < voltage ? low : high) = w;
   }
   BETWEEN(4 * kf * low * low / weight, 1.2, 6);
   if (!admitsImplausible(entry->component.info)) {
-    BETWEEN(figureOfMerit(kf, km, 2 * r.radius), 0.2, 0.85);
+    BETWEEN(figureOfMerit(kf, km, diameterOf(rotor.aerodynamics)), 0.2, 0.85);
   }
   // The inertia belongs to a body of the size of the frame: radius of gyration against the arm.
   double arm = 0;

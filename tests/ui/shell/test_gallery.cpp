@@ -65,7 +65,10 @@ void TestGallery::libraryFromTheMenu() {
   QTRY_VERIFY((dialog = window.findChild<LibraryDialog*>()) != nullptr && dialog->isVisible());
   dialog->activateWindow();
   QVERIFY(QTest::qWaitForWindowActive(dialog));
-  QTest::keyClick(dialog, Qt::Key_F1);
+  auto* search = dialog->findChild<QLineEdit*>("librarySearch");
+  QTest::mouseClick(search, Qt::LeftButton);
+  QTRY_VERIFY(search->hasFocus());
+  QTest::keyClick(search, Qt::Key_F1);
   HelpViewer* viewer = nullptr;
   QTRY_VERIFY((viewer = window.findChild<HelpViewer*>("helpViewer")) != nullptr &&
               viewer->isVisible());
