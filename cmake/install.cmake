@@ -1,7 +1,7 @@
 # What `cmake --install` and `cpack -G DEB` put where. The programs find their resources in
 # ../share/rotorbench beside them, so the prefix is free.
 install(TARGETS rotorbench-cli RUNTIME)
-install(DIRECTORY resources/experiments resources/help resources/icons
+install(DIRECTORY resources/experiments resources/help resources/icons resources/library
         DESTINATION ${CMAKE_INSTALL_DATADIR}/rotorbench)
 
 # Man pages and the change log carry the version and are compressed as Debian wants them: no name and

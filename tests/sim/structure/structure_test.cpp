@@ -85,11 +85,13 @@ const QMap<QString, QStringList>& StructureTest::rules() {
        {"sim/core", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle", "sim/sensing",
         "sim/control", "sim/analysis", "sim/io"}},
       {"sim/io", {"sim/core"}},
+      {"sim/library", {"sim/core", "sim/propulsion", "sim/vehicle", "sim/experiment", "sim/io"}},
       {"ui/forms", seenByUi},
       {"ui/charts", seenByUi + QStringList{"ui/runs"}},
       {"ui/scene", seenByUi + QStringList{"ui/runs"}},
       {"ui/runs", seenByUi},
-      {"ui/shell", seenByUi + QStringList{"ui"}},
+      {"ui/library", seenByUi + QStringList{"sim/library", "ui/forms"}},
+      {"ui/shell", seenByUi + QStringList{"sim/library", "ui"}},
       {"app", {"sim", "ui"}},
   };
   return map;
