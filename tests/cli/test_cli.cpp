@@ -51,7 +51,8 @@ class TestCli : public QObject {
 
  private slots:
   void helpAndVersion() {
-    for (const char* word : {"run", "list", "schema", "set", "performance", "data-sheet"}) {
+    for (const char* word :
+         {"run", "list", "schema", "set", "performance", "data-sheet", "validate"}) {
       QVERIFY(cli({"--help"}).out.contains(word));
       QCOMPARE(cli({word, "--help"}).code, 0);
     }
@@ -191,6 +192,41 @@ class TestCli : public QObject {
         QJsonDocument::fromJson(outcome.out).object()["metrics"].toArray()[0].toObject();
     QCOMPARE(row["end_time"].toDouble(), 2.0);
     QCOMPARE(row["steps"].toInt(), 80);
+  }
+
+  /// A page that stands for itself, the same figures as JSON and CSV; a resources folder without data is no crash.
+  void validationReport() {
+    QTemporaryDir directory;
+    const QString folder = directory.filePath("report");
+    const Outcome outcome =
+        cli({"validate", "--output", folder, "--case", "esc-test", "--case", "naca-tr594"});
+    QCOMPARE(outcome.code, 0);
+    QVERIFY(outcome.out.contains("holds") && !outcome.out.contains("MISSED"));
+    const QByteArray page = contents(folder + "/index.html");
+    QVERIFY(page.startsWith("<!DOCTYPE html>") && page.contains("<svg") &&
+            page.endsWith("</html>\n"));
+    const QJsonObject json = QJsonDocument::fromJson(contents(folder + "/results.json")).object();
+    QVERIFY(json["passed"].toBool());
+    QCOMPARE(json["cases"].toArray().size(), 2);
+    for (const QJsonValue& c : json["cases"].toArray()) {
+      for (const QJsonValue& figure : c["figures"].toArray()) QVERIFY(figure["value"].isDouble());
+      QVERIFY(!c["charts"].toArray()[0]["series"].toArray()[0]["points"].toArray().isEmpty());
+    }
+    QVERIFY(contents(folder + "/results.csv").startsWith("case,metric,unit,value,limit,passed\n"));
+  }
+
+  void wrongValidationIsNamed() {
+    QTemporaryDir directory;
+    const Outcome unknown = cli({"validate", "--output", directory.path(), "--case", "everything"});
+    QCOMPARE(unknown.code, 2);
+    QVERIFY(unknown.err.contains("everything") && unknown.err.contains("uiuc-global"));
+    QCOMPARE(cli({"validate"}).code, 2);
+    QCOMPARE(cli({"validate", "--output", "/dev/null/report", "--case", "naca-tr594"}).code, 2);
+    qputenv("ROTORBENCH_RESOURCES", directory.path().toUtf8());
+    const Outcome empty = cli({"validate", "--output", directory.path(), "--case", "esc-test"});
+    qunsetenv("ROTORBENCH_RESOURCES");
+    QCOMPARE(empty.code, 2);
+    QVERIFY(empty.err.contains("steps.csv"));
   }
 
   void outputDirectory() {

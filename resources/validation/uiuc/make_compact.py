@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes sets.csv, geometry.csv and performance.csv from files of the UIUC Propeller Database.
+"""Makes sets.csv, names.txt, geometry.csv and performance.csv from files of the UIUC Propeller Database.
 
 usage: make_compact.py INDEX.csv DOWNLOAD_DIR
 
@@ -46,16 +46,18 @@ def main():
     with open(index, encoding="utf-8") as f:
         propellers = list(csv.DictReader(f))
     with open(os.path.join(here, "sets.csv"), "w", encoding="utf-8") as sets, \
+            open(os.path.join(here, "names.txt"), "w", encoding="utf-8") as names, \
             open(os.path.join(here, "geometry.csv"), "w", encoding="utf-8") as geometry, \
             open(os.path.join(here, "performance.csv"), "w", encoding="utf-8") as performance:
-        print("set,volume,prop,static_file,blades,diameter_in,pitch_ratio,slow_flyer", file=sets)
-        print("set,r_R,c_R,beta_deg", file=geometry)
-        print("set,run,rpm,J,CT,CP", file=performance)
+        print("set,volume,blades,diameter [in],pitch_ratio,slow_flyer", file=sets)
+        print("set,r_R,c_R,beta [deg]", file=geometry)
+        print("set,run,speed [rpm],J,CT,CP", file=performance)
         for number, p in enumerate(propellers):
             ratio = printed_pitch_ratio(p["prop"])
             slow = int(p["family"] in SLOW_FLYER_FAMILIES)
             static = os.path.splitext(os.path.basename(p["static_file"]))[0]
-            print(number, p["volume"], p["prop"], static, p["blades"], float(p["D_in"]),
+            print(p["prop"], static, file=names)
+            print(number, p["volume"], p["blades"], float(p["D_in"]),
                   f"{ratio:.6g}" if ratio else 0, slow, sep=",", file=sets)
             for x, chord, beta in rows(os.path.join(root, p["geom_file"]), 3):
                 print(number, f"{x:g}", f"{chord:g}", f"{beta + float(p['beta_offset_deg']):g}",

@@ -100,7 +100,7 @@ class TestMeasuredPropeller : public QObject {
   /// The parked propeller of the extrapolation against blade elements: the mean of 101 propellers, within 25 %.
   void parkedValuesAreThoseOfBladeElements() {
     double thrust = 0, torque = 0, count = 0;
-    for (const uiuc::Set& set : uiuc::readSets()) {
+    for (const auto& set : uiuc::sets()) {
       const BladeElementRotor rotor(set.geometry);
       const double area = pi * rotor.radius() * rotor.radius(), speed = 10;
       const AxialLoad load = rotor.axial(0, speed, {});
