@@ -8,6 +8,7 @@
 
 #include "sim/analysis/curve_figures.h"
 #include "sim/experiment/simulation_base.h"
+#include "sim/propulsion/advance_sweep.h"
 
 namespace rotorbench {
 
@@ -31,17 +32,6 @@ InputSignal streamOf(const PropellerBench& bench) {
   for (const AirSpeedRow& row : profile.rows)
     samples.push_back({row.time, Eigen::Vector4d::Constant(row.speed)});
   return {std::move(samples), profile.interpolation};
-}
-
-/// Renard's coefficients: T = CT rho n^2 D^4, P = CP rho n^3 D^5, n in turns per second; 0 where there is no speed or air.
-struct Coefficients {
-  double thrust = 0, power = 0;
-};
-Coefficients coefficients(const AxialLoad& load, double w, double diameter, double density) {
-  const double n = std::abs(w) / (2 * kPi);
-  const double scale = density * n * n * std::pow(diameter, 4);
-  if (!(scale > 0)) return {};
-  return {load.thrust / scale, 2 * kPi * load.torque / (scale * diameter)};
 }
 
 class PropellerBenchSimulation final : public SimulationBase {
@@ -199,19 +189,19 @@ void PropellerBenchSimulation::addCurves(const OutputSettings& outputs) {
 void PropellerBenchSimulation::overSpeed(Recording& r, double place) {
   const double w = at_.topSpeed * place;
   const AxialLoad load = rotor_.axial(w, at_.airSpeed, air_);
-  const Coefficients c = coefficients(load, w, diameter_, air_.density);
-  r.append(std::array{w, load.thrust, load.torque, load.torque * w, c.thrust, c.power});
+  const AdvancePoint c = coefficientsOf(load, w, at_.airSpeed, diameter_, air_.density);
+  r.append(std::array{w, load.thrust, load.torque, load.torque * w, c.thrustCoefficient,
+                      c.powerCoefficient});
 }
 
 void PropellerBenchSimulation::overAdvance(Recording& r, double place) {
   const double j = at_.leastAdvanceRatio + (at_.mostAdvanceRatio - at_.leastAdvanceRatio) * place;
   const double v = j * diameter_ * at_.speed / (2 * kPi);
   const AxialLoad load = rotor_.axial(at_.speed, v, air_);
-  const Coefficients c = coefficients(load, at_.speed, diameter_, air_.density);
+  const AdvancePoint c = coefficientsOf(load, at_.speed, v, diameter_, air_.density);
   const double power = load.torque * at_.speed;
-  const bool pulls = v > 0 && load.thrust > 0 && power > 0;
-  r.append(std::array{j, v, load.thrust, load.torque, power, c.thrust, c.power,
-                      pulls ? load.thrust * v / power : 0, load.vortexRingShare});
+  r.append(std::array{j, v, load.thrust, load.torque, power, c.thrustCoefficient,
+                      c.powerCoefficient, c.efficiency, load.vortexRingShare});
 }
 
 void PropellerBenchSimulation::alongBlade(Recording& r, double place) {
@@ -234,15 +224,15 @@ MetricTable PropellerBenchSimulation::metrics() const {
   const Recording& advance = *runs()[2].recording;
   const std::size_t j = *advance.find("over_advance.j");
   const CurvePeak peak = peakOf(advance, j, *advance.find("over_advance.efficiency"));
-  const Coefficients still = coefficients(static_, at_.speed, diameter_, air_.density);
+  const AdvancePoint still = coefficientsOf(static_, at_.speed, 0, diameter_, air_.density);
   const double area = kPi * rotor_.radius() * rotor_.radius();
   const double power = static_.torque * at_.speed;
   const double ideal = static_.thrust * std::sqrt(static_.thrust / (2 * air_.density * area));
   return {
       {"Run",
        {{"static_ct", "1", "Thrust coefficient at rest in the air, at the speed of the curves",
-         still.thrust},
-        {"static_cp", "1", "Power coefficient at rest in the air", still.power},
+         still.thrustCoefficient},
+        {"static_cp", "1", "Power coefficient at rest in the air", still.powerCoefficient},
         {"static_thrust", "N", "Thrust at rest in the air", static_.thrust},
         {"static_torque", "N*m", "Torque at rest in the air", static_.torque},
         {"figure_of_merit", "1", "Ideal hover power of the thrust over the power at rest",

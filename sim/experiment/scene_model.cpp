@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sim/experiment/experiment.h"
+#include "sim/experiment/propeller_scene.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {
@@ -48,6 +49,7 @@ std::optional<SceneModel> modelOf(const Flight& flight) {
     const PropellerGeometry* geometry = rotorGeometry(hub.rotor.aerodynamics);
     const int blades = geometry != nullptr ? geometry->blades : hub.rotor.blades;
     SceneRotor rotor = drawnRotor(hub.placement, radius, blades);
+    if (geometry != nullptr) rotor.stations = drawnBlade(*geometry);
     // The recorded position is the centre of mass.
     rotor.position -= body.centre;
     reach = std::max(reach, rotor.position.norm());

@@ -1,23 +1,30 @@
 #include "sim/propulsion/advance_sweep.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 namespace rotorbench {
 
-AdvancePoint advancePoint(const BladeElementRotor& rotor, double omega, double axialSpeed,
-                          const AirState& air) {
-  const double turns = omega / (2 * std::numbers::pi), diameter = 2 * rotor.radius();
-  const double scale = air.density * turns * turns * std::pow(diameter, 4);
+AdvancePoint coefficientsOf(const AxialLoad& load, double omega, double axialSpeed, double diameter,
+                            double density) {
+  const double turns = std::abs(omega) / (2 * std::numbers::pi);
+  const double scale = density * turns * turns * std::pow(diameter, 4);
+  if (!(scale > 0)) return {};
   AdvancePoint point;
   point.advanceRatio = axialSpeed / (turns * diameter);
-  if (!(scale > 0)) return point;
-  const AxialLoad load = rotor.axial(omega, axialSpeed, air);
   point.thrustCoefficient = load.thrust / scale;
-  point.powerCoefficient = load.torque * 2 * std::numbers::pi / (scale * diameter);
+  point.powerCoefficient = 2 * std::numbers::pi * load.torque / (scale * diameter);
   if (point.thrustCoefficient > 0 && point.powerCoefficient > 0)
-    point.efficiency = point.advanceRatio * point.thrustCoefficient / point.powerCoefficient;
+    point.efficiency =
+        std::max(0.0, point.advanceRatio * point.thrustCoefficient / point.powerCoefficient);
   return point;
+}
+
+AdvancePoint advancePoint(const BladeElementRotor& rotor, double omega, double axialSpeed,
+                          const AirState& air) {
+  return coefficientsOf(rotor.axial(omega, axialSpeed, air), omega, axialSpeed, 2 * rotor.radius(),
+                        air.density);
 }
 
 AdvanceSweep advanceSweep(const BladeElementRotor& rotor, double omega, const AirState& air,

@@ -25,6 +25,11 @@ struct AdvanceSweep {
   std::optional<double> zeroThrust;  ///< J between the points where thrust changes sign
 };
 
+/// Coefficients of loads that are known, at speed omega in rad/s and an axial speed in m/s; all 0 where there is no
+/// speed or no air.
+AdvancePoint coefficientsOf(const AxialLoad& load, double omega, double axialSpeed, double diameter,
+                            double density);
+
 /// Coefficients at speed omega, rad/s and above 0, and one axial speed, m/s.
 AdvancePoint advancePoint(const BladeElementRotor& rotor, double omega, double axialSpeed,
                           const AirState& air);

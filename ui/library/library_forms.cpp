@@ -8,19 +8,23 @@
 
 namespace rotorbench {
 
+ComponentHooks componentHooks(DocumentModel& model, QWidget& owner) {
+  return {[&model](const QString& path) { return !ComponentPlace(model, path).kinds().empty(); },
+          [&model, &owner](const QString& path) {
+            model.commitPendingEdits();
+            const auto place = std::make_shared<ComponentPlace>(model, path);
+            LibraryRequest request;
+            request.title = place->label();
+            request.kinds = place->kinds();
+            request.current = [place] { return place->current(); };
+            request.use = [place](const Component& component) { place->use(component); };
+            (new LibraryDialog(std::move(request), owner.window()))->open();
+          }};
+}
+
 void connectLibrary(ExperimentPanel& panel, DocumentModel& model) {
-  panel.setComponents(
-      [&model](const QString& path) { return !ComponentPlace(model, path).kinds().empty(); },
-      [&model, &panel](const QString& path) {
-        model.commitPendingEdits();
-        const auto place = std::make_shared<ComponentPlace>(model, path);
-        LibraryRequest request;
-        request.title = place->label();
-        request.kinds = place->kinds();
-        request.current = [place] { return place->current(); };
-        request.use = [place](const Component& component) { place->use(component); };
-        (new LibraryDialog(std::move(request), panel.window()))->open();
-      });
+  ComponentHooks hooks = componentHooks(model, panel);
+  panel.setComponents(std::move(hooks.has), std::move(hooks.pick));
 }
 
 }  // namespace rotorbench

@@ -15,6 +15,7 @@
 #include "ui/forms/field_text.h"
 #include "ui/forms/form_style.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/library/library_forms.h"
 #include "ui/propeller/blade_curves.h"
 #include "ui/propeller/polar_import.h"
 #include "ui/propeller/propeller_figures.h"
@@ -58,7 +59,7 @@ PropellerEditor::PropellerEditor(DocumentModel& model, QWidget* parent)
     : QDialog(parent),
       model_(model),
       units_(nullptr),
-      context_{&model, &units_, fieldLocale(), {}},
+      context_{&model, &units_, fieldLocale(), {}, {}, {}},
       picker_(new QComboBox),
       form_(new ParameterForm(context_)),
       curves_(new BladeCurves),
@@ -66,6 +67,9 @@ PropellerEditor::PropellerEditor(DocumentModel& model, QWidget* parent)
       figures_(new PropellerFigures),
       message_(new QLabel) {
   setObjectName("propellerEditor");
+  ComponentHooks library = componentHooks(model, *this);
+  context_.hasComponents = std::move(library.has);
+  context_.pickComponent = std::move(library.pick);
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Propeller editor"));
   resize(1180, 760);

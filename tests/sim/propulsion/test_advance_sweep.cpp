@@ -31,7 +31,7 @@ class TestAdvanceSweep : public QObject {
     // P = Q omega.
     QCOMPARE(point.powerCoefficient * air.density * n * n * n * std::pow(d, 5),
              load.torque * kOmega);
-    if (load.thrust > 0 && load.torque > 0) {
+    if (speed > 0 && load.thrust > 0 && load.torque > 0) {
       QCOMPARE(point.efficiency, load.thrust * speed / (load.torque * kOmega));
     } else {
       QCOMPARE(point.efficiency, 0.0);
