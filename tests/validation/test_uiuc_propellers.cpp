@@ -3,6 +3,7 @@
 // pitch class. Scores: propeller_scores.h.
 #include <QtTest>
 
+#include "sim/fitting/propeller_fit.h"
 #include "tests/validation/propeller_scores.h"
 
 using namespace rotorbench;
@@ -116,6 +117,7 @@ class TestUiucPropellers : public QObject {
   void dataIsComplete();
   void globalConstantsPredictAllPropellers();
   void oneTwistOffsetPerPropellerFitsTheRest();
+  void leastSquaresFindTheSameOffset();
 
  private:
   std::vector<Set> sets_;
@@ -173,6 +175,36 @@ void TestUiucPropellers::oneTwistOffsetPerPropellerFitsTheRest() {
                Continue);
   QVERIFY(within("CT/CT0 in flight", errors.flightThrust, 5.6, 10));
   QVERIFY(within("CP/CP0 in flight", errors.flightPower, 6.4, 12.6));
+}
+
+/// The fit offered to the user against the search above, on the static coefficients of an APC thin electric 10x5. Squares
+/// weigh the rows a little differently than mean sizes do: within half a degree.
+void TestUiucPropellers::leastSquaresFindTheSameOffset() {
+  constexpr double kDegree = std::numbers::pi / 180, kRpm = std::numbers::pi / 30;
+  const auto set = std::find_if(sets_.begin(), sets_.end(), [](const Set& candidate) {
+    return candidate.name.contains("apce_10x5 ");
+  });
+  QVERIFY(set != sets_.end());
+  MeasuredTable table{"tunnel",
+                      {{"motor.speed", "rad/s", {}}, {"ct", "1", {}}, {"cp", "1", {}}},
+                      std::vector<std::vector<double>>(3)};
+  for (const Row& row : set->still) {
+    table.columns[0].push_back(row.rpm * kRpm);
+    table.columns[1].push_back(row.thrust);
+    table.columns[2].push_back(row.power);
+  }
+  PropellerFitSetup setup;
+  setup.start = set->geometry;
+  setup.air = kTunnelAir;
+  FitOptions options;
+  options.weighByScatter = false;
+  const FitResult result = solveLeastSquares(propellerFitProblem(table, setup), options);
+  QVERIFY2(result.usable(), result.sentence.c_str());
+  const double searched = fittedOffset(*set);
+  const FittedParameter& offset = *result.find("twistOffset");
+  qInfo("searched %.2f, fitted %.2f +- %.2f degrees", searched / kDegree, offset.value / kDegree,
+        offset.halfWidth.value_or(0) / kDegree);
+  QVERIFY(std::abs(offset.value - searched) < 0.5 * kDegree);
 }
 
 QTEST_GUILESS_MAIN(TestUiucPropellers)
