@@ -24,12 +24,12 @@ double studentProbability(double t, double degrees) {
   return 1 - 0.5 * Eigen::numext::betainc(0.5 * degrees, 0.5, degrees / (degrees + t * t));
 }
 
-/// Names of the other parameters in the unseen directions `part` is in.
+/// Names of the parameters that go together with `part` in what the data do not see; `unseen` projects onto that.
 std::string companions(const Eigen::MatrixXd& unseen, Eigen::Index part,
                        const std::vector<std::size_t>& free, const FitResult& result) {
   std::string names;
   for (Eigen::Index other = 0; other < unseen.rows(); ++other) {
-    if (other == part || unseen.row(other).norm() < kPart) continue;
+    if (other == part || std::abs(unseen(part, other)) < kPart * kPart) continue;
     const std::string& label =
         result.parameters[free[static_cast<std::size_t>(other)]].parameter.label;
     names += (names.empty() ? "" : " and ") + label;
@@ -37,7 +37,7 @@ std::string companions(const Eigen::MatrixXd& unseen, Eigen::Index part,
   return names;
 }
 
-/// Remarks on the parameters with a part in the directions the data do not see (columns of `unseen`).
+/// Remarks on the parameters with a part in what the data do not see; `unseen` projects onto that.
 void remarkUndetermined(const Eigen::MatrixXd& unseen, const std::vector<std::size_t>& free,
                         FitResult& result) {
   for (Eigen::Index i = 0; i < unseen.rows(); ++i) {

@@ -113,8 +113,8 @@ Pass solveOnce(const FitProblem& problem, const FitOptions& options,
   ceres::Solver::Options settings;
   settings.linear_solver_type = ceres::DENSE_QR;
   settings.max_num_iterations = options.mostIterations;
-  settings.function_tolerance = 1e-12;
-  settings.parameter_tolerance = 1e-10;
+  settings.function_tolerance = 1e-15;
+  settings.parameter_tolerance = 1e-11;
   settings.gradient_tolerance = 1e-12;
   settings.num_threads = 1;
   settings.logging_type = ceres::SILENT;
@@ -251,7 +251,10 @@ FitResult solveLeastSquares(const FitProblem& problem, const FitOptions& options
   std::vector<double> values, before(n), sigma;
   for (const FitParameter& p : problem.parameters) values.push_back(p.start);
   result.predicted.resize(n);
-  if (!problem.predict(values, before)) std::ranges::fill(before, std::nan(""));
+  if (!problem.predict(values, before)) {
+    result.sentence = "The model could not be computed near the start values.";
+    return result;
+  }
   for (const FitOutput& output : problem.outputs) sigma.push_back(output.scale);
 
   std::vector<double> x = startOf(problem);

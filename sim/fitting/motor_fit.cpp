@@ -149,7 +149,9 @@ FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
   }
   problem.outputs = {{"Motor speed", "rad/s", "rpm", mostSpeed},
                      {"Supply current", "A", "A", std::max(mostCurrent, 1e-3)}};
-  problem.abscissa = "Throttle", problem.abscissaUnit = "1", problem.abscissaShown = "%";
+  problem.abscissa = "Throttle";
+  problem.abscissaUnit = std::string("1");  // GCC 12 takes an assigned "1" for an overflow
+  problem.abscissaShown = std::string("%");
   problem.predict = [rows = std::move(rows), choices, start](std::span<const double> p,
                                                              std::span<double> predicted) {
     const Candidate at = apply(choices, p, start);

@@ -11,7 +11,7 @@ constexpr double kSameSpeed = 0.02;    // of the slowest of a curve
 constexpr double kSameAdvance = 1e-4;  // closer points are one, measured twice
 
 using Points = std::vector<CoefficientPoint>;
-using Knot = MeasuredTable::Knot;
+using Knot = CoefficientTable::Knot;
 
 /// The points of one speed each, by rising speed and advance ratio, repeated ones averaged.
 std::vector<Points> groupsOf(Points points) {
@@ -133,7 +133,7 @@ void setSlopes(std::vector<Knot>& knots, double Knot::*value, double Knot::*slop
 
 }  // namespace
 
-MeasuredTable::Curve::Curve(double curveSpeed, std::vector<Knot> points)
+CoefficientTable::Curve::Curve(double curveSpeed, std::vector<Knot> points)
     : speed(curveSpeed), knots(std::move(points)) {
   setSlopes(knots, &Knot::thrust, &Knot::thrustSlope);
   setSlopes(knots, &Knot::power, &Knot::powerSlope);
@@ -141,7 +141,7 @@ MeasuredTable::Curve::Curve(double curveSpeed, std::vector<Knot> points)
   last = endAt(knots.back());
 }
 
-MeasuredTable::Curve::End MeasuredTable::Curve::endAt(const Knot& knot) {
+CoefficientTable::Curve::End CoefficientTable::Curve::endAt(const Knot& knot) {
   const double chi = std::atan(knot.advance / kAdvanceScale);
   const double square = std::cos(chi) * std::cos(chi), turn = std::sin(2 * chi);
   // dJ/dchi cos^2 chi is kAdvanceScale everywhere.
@@ -150,7 +150,7 @@ MeasuredTable::Curve::End MeasuredTable::Curve::endAt(const Knot& knot) {
           kTorqueScale * (kAdvanceScale * knot.powerSlope - turn * knot.power)};
 }
 
-MeasuredTable::MeasuredTable(const MeasuredPropeller& p)
+CoefficientTable::CoefficientTable(const MeasuredPropeller& p)
     : radius_(p.diameter / 2),
       area_(std::numbers::pi * radius_ * radius_),
       drag_(p.inPlane.drag / kStandardDensity),

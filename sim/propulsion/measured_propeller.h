@@ -56,10 +56,10 @@ std::vector<Problem> pointProblems(const MeasuredPropeller& propeller);
 inline constexpr double kParkedThrust = 0.2, kParkedTorque = 0.035;
 
 /// The measured coefficients made ready. Any scalar; no heap and no exception in load().
-class MeasuredTable {
+class CoefficientTable {
  public:
   /// The propeller must satisfy its schema.
-  explicit MeasuredTable(const MeasuredPropeller& propeller);
+  explicit CoefficientTable(const MeasuredPropeller& propeller);
 
   /// Speed w in rad/s (turning backwards by the rule of BladeElementRotor::axial()), hub velocity against the air in
   /// m/s and unit axis in body axes, spin +1 or -1, density in kg/m^3. Finite for all finite numbers.

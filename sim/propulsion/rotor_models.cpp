@@ -49,7 +49,7 @@ struct Prepare {
   Result operator()(const PropellerCoefficients& /*p*/) const { return {}; }
   Result operator()(const RotorCoefficients& /*p*/) const { return {}; }
   Result operator()(const MeasuredPropeller& p) const {
-    return std::make_shared<const PreparedRotor>(MeasuredTable(p));
+    return std::make_shared<const PreparedRotor>(CoefficientTable(p));
   }
   Result operator()(const MapPropeller& p) const {
     static MapCache cache;

@@ -43,7 +43,7 @@ const PropellerGeometry* rotorGeometry(const RotorAerodynamics& aerodynamics);
 /// A rotor model that is not lumped, made ready. No heap and no exception in load(), which many threads may call.
 class PreparedRotor {
  public:
-  using Model = std::variant<MeasuredTable, PropellerMap, BladeElementRotor>;
+  using Model = std::variant<CoefficientTable, PropellerMap, BladeElementRotor>;
   explicit PreparedRotor(Model model) : model_(std::move(model)) {}
 
   /// Speed w in rad/s, hub velocity against the air and unit axis in body axes, spin +1 or -1, air density in kg/m^3;
@@ -54,7 +54,7 @@ class PreparedRotor {
                                   const S& density) const {
     if (const auto* map = std::get_if<PropellerMap>(&model_))
       return map->load<S, Eigen::Matrix<S, 3, 1>>(w, v, axis, spin, density);
-    if (const auto* table = std::get_if<MeasuredTable>(&model_))
+    if (const auto* table = std::get_if<CoefficientTable>(&model_))
       return table->load<S, Eigen::Matrix<S, 3, 1>>(w, v, axis, spin, density);
     const auto& rotor = std::get<BladeElementRotor>(model_);
     if constexpr (std::is_same_v<S, double>) {

@@ -4,6 +4,7 @@
 
 #include "ui/library/library_dialog.h"
 #include "ui/measurement/import_dialog.h"
+#include "ui/measurement/residuals_dialog.h"
 #include "ui/propeller/propeller_editor.h"
 #include "ui/shell/document_controller.h"
 #include "ui/sizing/data_sheet_dialog.h"
@@ -47,6 +48,10 @@ void openImport(const ToolContext& context) {
   dialog->open();
 }
 
+void openResiduals(const ToolContext& context) {
+  (new ResidualsDialog(context.runs, context.window))->open();
+}
+
 }  // namespace
 
 const std::vector<Tool>& tools() {
@@ -63,6 +68,8 @@ const std::vector<Tool>& tools() {
        openPerformance},
       {"toolImport", "&Import measured data…", "document-import",
        "Adds the log of a stand or a tunnel to the charts", openImport},
+      {"toolResiduals", "Compare with &measurement…", "view-statistics",
+       "Shows how far a run is from measured data", openResiduals},
   };
   return kTools;
 }

@@ -7,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/fitting/motor_fit.h"
 #include "sim/fitting/propeller_fit.h"
+#include "sim/fitting/provenance.h"
 #include "sim/fitting/rotor_fit.h"
 
 using namespace rotorbench;
@@ -195,6 +196,13 @@ void TestFits::rotor() {
   // A 10 inch propeller with CT 0.1 at 1.2 kg/m^3: T = 0.1 * 1.2 * n^2 * 0.254^4.
   const double kf = 0.1 * 1.2 * std::pow(0.254, 4) / std::pow(2 * std::numbers::pi, 2);
   QVERIFY(std::abs(thrustCoefficientOf(kf, 1.2, 0.254) - 0.1) < 1e-12);
+  const std::string said = provenanceText({"rotor.csv", "2026-11-22", "rotor"}, result);
+  QVERIFY2(said.starts_with("Fitted (rotor) to rotor.csv on 2026-11-22, 6 measured values, by "
+                            "non-linear least squares; 95 % intervals. Thrust coefficient k_f: "
+                            "1.3e-05 "),
+           said.c_str());
+  QVERIFY2(said.find("RMSE of Torque: ") != std::string::npos && said.ends_with(")."),
+           said.c_str());
   const double km = 0.05 * 1.2 * std::pow(0.254, 5) / std::pow(2 * std::numbers::pi, 3);
   QVERIFY(std::abs(powerCoefficientOf(km, 1.2, 0.254) - 0.05) < 1e-12);
 }

@@ -17,7 +17,7 @@ namespace {
 constexpr double kDensity = 1.2;
 
 /// CT and CP of a table at a speed in rad/s and an advance ratio.
-std::pair<double, double> coefficients(const MeasuredTable& table, double w, double advance) {
+std::pair<double, double> coefficients(const CoefficientTable& table, double w, double advance) {
   const double d = 2 * table.radius(), n = w / (2 * pi);
   const auto load = table.axialLoad(w, advance * n * d, kDensity);
   return {load.thrust / (kDensity * n * n * std::pow(d, 4)),
@@ -39,7 +39,7 @@ class TestMeasuredPropeller : public QObject {
   void exactAtItsPoints() {
     MeasuredPropeller p;
     std::reverse(p.points.begin(), p.points.end());
-    const MeasuredTable table(p);
+    const CoefficientTable table(p);
     for (const CoefficientPoint& point : p.points) {
       const auto [ct, cp] = coefficients(table, point.speed, point.advanceRatio);
       QVERIFY(std::abs(ct - point.thrustCoefficient) < 1e-12);
@@ -49,7 +49,7 @@ class TestMeasuredPropeller : public QObject {
 
   /// Half-way between two speeds is the mean; slower and faster than any the nearest holds.
   void speedsAreInterpolated() {
-    const MeasuredTable table(of({{300, 0, 0.10, 0.04},
+    const CoefficientTable table(of({{300, 0, 0.10, 0.04},
                                   {300, 0.5, 0.04, 0.03},
                                   {500, 0, 0.12, 0.05},
                                   {500, 0.5, 0.06, 0.04}}));
@@ -61,7 +61,7 @@ class TestMeasuredPropeller : public QObject {
 
   /// A static test beside a tunnel's: at rest the static values hold, in the stream those of the tunnel.
   void staticTestCompletesACurve() {
-    const MeasuredTable table(of({{400, 0.2, 0.10, 0.045},
+    const CoefficientTable table(of({{400, 0.2, 0.10, 0.045},
                                   {401, 0.6, 0.02, 0.025},
                                   {200, 0, 0.11, 0.047},
                                   {600, 0, 0.13, 0.051}}));
@@ -74,7 +74,7 @@ class TestMeasuredPropeller : public QObject {
 
   /// Value and slope meet at the ends of the measured range.
   void smoothBeyondTheRange() {
-    const MeasuredTable table{MeasuredPropeller{}};
+    const CoefficientTable table{MeasuredPropeller{}};
     for (const double w : {420.3, 681.9, 550.0}) {
       for (const double edge : {0.0, w > 600 ? 0.755 : 0.719}) {
         const double chi = std::atan(edge / (0.75 * pi)), h = 1e-6;
@@ -89,7 +89,7 @@ class TestMeasuredPropeller : public QObject {
 
   /// Past zero thrust the propeller brakes, and in the end the stream drives it; in descent it still lifts.
   void windmillAndDescent() {
-    const MeasuredTable table{MeasuredPropeller{}};
+    const CoefficientTable table{MeasuredPropeller{}};
     for (double advance = 0.8; advance <= 2; advance += 0.05)
       QVERIFY(coefficients(table, 500, advance).first < 0);
     QVERIFY(coefficients(table, 500, 2).second < 0);
@@ -113,7 +113,7 @@ class TestMeasuredPropeller : public QObject {
   }
 
   void finiteEverywhere() {
-    const MeasuredTable table{MeasuredPropeller{}};
+    const CoefficientTable table{MeasuredPropeller{}};
     const Eigen::Vector3d axis(0, 0, 1);
     for (const double w : {-1e5, -500.0, -1e-9, 0.0, 1e-12, 1.0, 500.0, 1e5}) {
       for (const double axial : {-1e4, -20.0, 0.0, 1e-12, 20.0, 1e4}) {
@@ -139,7 +139,7 @@ class TestMeasuredPropeller : public QObject {
 
   /// Between measured points no overshoot: a curve that only falls stays falling.
   void monotone() {
-    const MeasuredTable table(
+    const CoefficientTable table(
         of({{0, 0, 0.1, 0.05}, {0, 0.1, 0.1, 0.05}, {0, 0.2, 0.02, 0.04}, {0, 0.9, 0.0, 0.01}}));
     double last = 1;
     for (double j = 0; j <= 0.9; j += 0.001) {
