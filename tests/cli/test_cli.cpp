@@ -208,9 +208,13 @@ class TestCli : public QObject {
     const QJsonObject json = QJsonDocument::fromJson(contents(folder + "/results.json")).object();
     QVERIFY(json["passed"].toBool());
     QCOMPARE(json["cases"].toArray().size(), 2);
-    for (const QJsonValue& c : json["cases"].toArray()) {
-      for (const QJsonValue& figure : c["figures"].toArray()) QVERIFY(figure["value"].isDouble());
-      QVERIFY(!c["charts"].toArray()[0]["series"].toArray()[0]["points"].toArray().isEmpty());
+    for (const QJsonValue& entry : json["cases"].toArray()) {
+      const QJsonObject c = entry.toObject();
+      for (const QJsonValue& figure : c["figures"].toArray()) {
+        QVERIFY(figure.toObject()["value"].isDouble());
+      }
+      const QJsonObject chart = c["charts"].toArray()[0].toObject();
+      QVERIFY(!chart["series"].toArray()[0].toObject()["points"].toArray().isEmpty());
     }
     QVERIFY(contents(folder + "/results.csv").startsWith("case,metric,unit,value,limit,passed\n"));
   }
