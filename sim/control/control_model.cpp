@@ -31,8 +31,8 @@ ControlModel<N> controlModel(const MultirotorConstants<N>& c) {
     m.thrustFactor[i] = density * hub.rotor.thrust;
     m.torqueFactor[i] = density * hub.rotor.torque;
     m.rotorInertia[i] = hub.rotor.inertia;
-    m.motors[i] = hub.motor;
-    const double top = topSpeed(hub.motor, m.torqueFactor[i], c.supply.voltage);
+    m.motors[i] = hub.drive();
+    const double top = topSpeed(m.motors[i], m.torqueFactor[i], c.openCircuit);
     m.maxThrust[i] = m.thrustFactor[i] * top * top;
     const Eigen::Vector3d moment =
         hub.arm.cross(hub.axis) - hub.spin * (hub.rotor.torque / hub.rotor.thrust) * hub.axis;

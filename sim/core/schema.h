@@ -87,7 +87,8 @@ struct Field {
   TextRole role = TextRole::Line;           ///< Text
   std::size_t minItems = 0, maxItems = 0;   ///< List
   bool asTable = false;                     ///< List of plain rows, edited as a table
-  bool advanced = false;                    ///< shown behind "more" in a form
+  bool untyped = false;   ///< Variant: a file may leave its type out, meaning the first
+  bool advanced = false;  ///< shown behind "more" in a form
 
   /// Number, Integer, Boolean, Text, Choice, Vector.
   std::function<Value(const void* owner)> read;

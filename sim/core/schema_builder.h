@@ -45,6 +45,8 @@ class FieldBuilder {
     return field_->minItems = least, field_->maxItems = most, *this;
   }
   FieldBuilder& table() { return field_->asTable = true, *this; }
+  /// What was a group before it became a variant: files without a type mean the first alternative.
+  FieldBuilder& untyped() { return field_->untyped = true, *this; }
   FieldBuilder& advanced() { return field_->advanced = true, *this; }
 
  private:

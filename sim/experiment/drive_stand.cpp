@@ -2,10 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "sim/core/number_text.h"
 #include "sim/core/schema_tree.h"
+#include "sim/experiment/step_stability.h"
+#include "sim/propulsion/lumped_rotor.h"
 
 namespace rotorbench {
 
@@ -20,11 +21,9 @@ struct LoadOf {
   ShaftLoad operator()(const FreeShaft& /*load*/) const { return {}; }
   ShaftLoad operator()(const BrakeLoad& load) const { return {.constant = load.torque}; }
   ShaftLoad operator()(const PropellerLoad& p) const {
-    // n = w/(2 pi): T = CT rho D^4 n^2, Q = P/w = CP rho D^5 n^2/(2 pi).
-    const double turns = 1 / (2 * std::numbers::pi);
-    const double square = p.airDensity * std::pow(p.diameter, 4) * turns * turns;
-    const double torque = p.powerCoefficient * square * p.diameter * turns;
-    const double thrust = p.thrustCoefficient * square;
+    const SquareFactors factors =
+        squareFactors(p.thrustCoefficient, p.powerCoefficient, p.diameter);
+    const double torque = p.airDensity * factors.torque, thrust = p.airDensity * factors.thrust;
     return {.quadratic = {1, {torque, torque}}, .thrust = {1, {thrust, thrust}}};
   }
   ShaftLoad operator()(const BladeElementLoad& p) const {
@@ -44,19 +43,6 @@ struct LoadOf {
 };
 
 }  // namespace
-
-double stabilityLimit(ode::Method method) {
-  switch (method) {
-    case ode::Method::Euler:
-      return 2.0;
-    case ode::Method::Rk4:
-      return 2.785;
-    case ode::Method::Abm4:
-      return 1.25;
-    default:
-      return 0;
-  }
-}
 
 DriveTrain buildDriveTrain(const DriveStand& stand) {
   const double topSpeed = Supply(stand.supply).openCircuit(1.0) * stand.motor.speedConstant;
@@ -112,22 +98,15 @@ void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, 
 
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
                         std::vector<Problem>& problems) {
-  const double limit = stabilityLimit(solver.method);
-  if (!(limit > 0)) return;
+  if (!(stabilityLimit(solver.method) > 0)) return;
   // Rules are asked of documents with faults too, and nothing can be built of a stand that has some.
   const auto faults = schema::validate(schema::ref(stand));
   if (std::ranges::any_of(faults, [](const Problem& p) { return !p.warning; })) return;
   const DriveTrain train = buildDriveTrain(stand);
   const double top = train.steadySpeed(train.supply().openCircuit(1.0));
   const double pole = std::max(train.fastestPole(0), train.fastestPole(top));
-  const double step = std::min(solver.step, tick);
-  if (step * pole <= limit) return;
-  problems.push_back({"run.solver.step",
-                      "the motor's fastest pole, " + numberText(std::round(pole)) + " 1/s, makes " +
-                          std::string(ode::name(solver.method)) + " unstable at this step",
-                      "at most " + numberText(std::floor(limit / pole * 1e8) * 1e-2) +
-                          " us, or quasi-static current",
-                      true});
+  addUnstableStep({"run.solver.step", "the motor's fastest pole", "quasi-static current"}, pole,
+                  solver, tick, problems);
 }
 
 void Describe<FreeShaft>::fields(schema::Builder<FreeShaft>& b) {

@@ -65,10 +65,6 @@ std::vector<Channel> driveChannels();
 /// The row that belongs to the channels.
 void driveRow(const DriveTrain& train, double time, const DriveTrain::State& y, double* out);
 
-/// Where the region of absolute stability meets the negative real axis, h |pole|; 0 for methods that choose their
-/// step. Hairer, Wanner, Solving ODEs II, IV.2 (Runge-Kutta) and V.1 (Adams PECE).
-double stabilityLimit(ode::Method method);
-
 /// Warns, naming pole, method and largest stable step, where a fixed step cannot be stable. The experiment holds its
 /// DriveRunSettings as "run". Says nothing of a stand with faults.
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,

@@ -1,8 +1,12 @@
 #include "sim/experiment/flight.h"
 
+#include <algorithm>
+
+#include "sim/core/schema_tree.h"
 #include "sim/experiment/flight_simulation.h"
 #include "sim/experiment/pid_pilot.h"
 #include "sim/experiment/prescribed_pilots.h"
+#include "sim/experiment/step_stability.h"
 
 namespace rotorbench {
 
@@ -33,6 +37,41 @@ struct FlightBuilder {
     return fly(VoltagePilot(loadInputs(inputs, directory)));
   }
 };
+
+/// Warns where a fixed step cannot be stable beside the fastest pole of motors and supply. All motors at full duty feel
+/// the supply's resistance together. The exponential method solves the motors exactly, but not what couples them.
+void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
+  constexpr std::size_t kCount = 4;
+  std::vector<RotorParameters> rotors;
+  if (const auto* equal = std::get_if<EqualRotors>(&flight.vehicle.rotors)) {
+    rotors.assign(kCount, equal->rotor);
+  } else {
+    rotors = std::get<IndividualRotors>(flight.vehicle.rotors).rotors;
+  }
+  const Supply supply(flight.vehicle.supply);
+  const bool exponential = flight.solver.method == ode::Method::ExponentialRk4;
+  double pole = 0, shared = 0;
+  for (const RotorParameters& rotor : rotors) {
+    const MotorConstants motor = buildMotor(rotor.motor);
+    const double coupled = static_cast<double>(rotors.size()) * supply.resistance;
+    shared = std::max(shared, coupled * motor.inverseInductance);
+    // Friction is steepest at rest.
+    const double drag = motor.viscousFriction + motor.dryFriction / kFrictionSpeed;
+    pole = std::max(pole, fastestPole(motor, motor.resistance + rotor.esc.resistance + coupled,
+                                      drag, rotor.inertia));
+  }
+  const char* name = exponential ? "the pole of motors and supply resistance together"
+                                 : "the fastest pole of motors and supply";
+  const char* remedy = exponential ? "a smaller supply resistance" : "exponential RK4";
+  addUnstableStep({"solver.step", name, remedy}, exponential ? shared : pole, flight.solver,
+                  flight.tick, problems);
+}
+
+/// Rules are asked of documents with faults too, and nothing can be built of a vehicle that has some.
+bool isSound(const VehicleParameters& vehicle) {
+  return std::ranges::all_of(schema::validate(schema::ref(vehicle)),
+                             [](const Problem& p) { return p.warning; });
+}
 
 }  // namespace
 
@@ -72,6 +111,9 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
   b.check([](const Flight& f, std::vector<Problem>& problems) {
     if (f.tick > f.duration)
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
+    const bool prescribed = std::holds_alternative<SpeedInputs>(f.control);
+    if (!prescribed && stabilityLimit(f.solver.method) > 0 && isSound(f.vehicle))
+      warnOfUnstableStep(f, problems);
   });
 }
 

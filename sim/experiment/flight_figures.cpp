@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/number_text.h"
 #include "sim/experiment/flight_simulation.h"
 
 namespace rotorbench {
@@ -22,19 +23,38 @@ double peakOfRotors(const Recording& recording, const std::string& quantity) {
   return peak;
 }
 
-/// Integral of a channel over time by the trapezoidal rule.
-double integral(const Recording& recording, std::size_t channel) {
-  double sum = 0;
-  for (std::size_t row = 1; row < recording.rows(); ++row) {
-    sum += (recording.value(0, row) - recording.value(0, row - 1)) *
-           (recording.value(channel, row) + recording.value(channel, row - 1)) / 2;
+/// Energy, mean power and, of a battery, what is left.
+void addEnergy(const Recording& recording, const Supply& supply, std::vector<Metric>& metrics) {
+  const auto drawn = recording.find("supply.energy"),
+             charge = recording.find("supply.stateOfCharge");
+  if (!drawn || !charge) return;
+  const std::size_t last = recording.rows() - 1;
+  const double energy = recording.value(*drawn, last) - recording.value(*drawn, 0);
+  const double time = recording.value(0, last) - recording.value(0, 0);
+  metrics.push_back({"energy", "J", "Energy drawn from the supply", energy});
+  if (time > 0)
+    metrics.push_back({"mean_power", "W", "Mean power drawn from the supply", energy / time});
+  if (!(supply.inverseCapacity > 0)) return;
+  const double left = recording.value(*charge, last);
+  metrics.push_back({"remaining_charge", "1", "State of charge of the battery at the end", left});
+  const double seconds = time > 0 ? supply.secondsAt(energy / time, left) : 0;
+  if (std::isfinite(seconds)) {
+    metrics.push_back({"minutes_left", "min",
+                       "Time the battery would last at the mean power of the flight",
+                       seconds / 60});
   }
-  return sum;
 }
 
 }  // namespace
 
-void addFlightFigures(const Recording& recording, std::vector<Metric>& metrics) {
+RunFailure emptyBattery(double time, double voltage, double cutOff) {
+  return {time, "supply",
+          "the battery is empty: " + numberText(std::round(voltage * 100) / 100) +
+              " V under load is below its cut-off of " + numberText(cutOff) + " V"};
+}
+
+void addFlightFigures(const Recording& recording, const Supply& supply,
+                      std::vector<Metric>& metrics) {
   const std::size_t rows = recording.rows();
   if (rows == 0) return;
   const auto peak = [&](const char* quantity, const char* name, const char* unit,
@@ -46,13 +66,7 @@ void addFlightFigures(const Recording& recording, std::vector<Metric>& metrics) 
   peak("thrust", "peak_rotor_thrust", "N", "Highest thrust of any rotor");
   peak("current", "peak_motor_current", "A", "Highest current of any motor");
   peak("voltage", "peak_motor_voltage", "V", "Highest voltage at any motor");
-  if (const auto power = recording.find("supply.power")) {
-    const double energy = integral(recording, *power);
-    metrics.push_back({"energy", "J", "Energy drawn from the supply", energy});
-    const double time = recording.value(0, rows - 1) - recording.value(0, 0);
-    if (time > 0)
-      metrics.push_back({"mean_power", "W", "Mean power drawn from the supply", energy / time});
-  }
+  addEnergy(recording, supply, metrics);
   for (const char* axis : {"x", "y", "z"}) {
     const auto channel = recording.find(std::string("position.") + axis);
     if (channel) {

@@ -27,8 +27,11 @@ concept FlightPilot = requires(P& p, const P& c, Plant& plant, typename Plant::S
   c.figures(recording, metrics);
 };
 
-/// Figures of any flight: peaks, energy, where it ended.
-void addFlightFigures(const Recording& recording, std::vector<Metric>& metrics);
+/// Figures of any flight: peaks, energy and what is left of it, where it ended.
+void addFlightFigures(const Recording& recording, const Supply& supply,
+                      std::vector<Metric>& metrics);
+/// How a flight ends whose battery is below its cut-off, V.
+RunFailure emptyBattery(double time, double voltage, double cutOff);
 
 /// "rotor2.thrust" for a quantity of rotor 2; rotor 0 is the vehicle and has no prefix.
 inline std::string channelName(int rotor, const char* name) {
@@ -77,7 +80,7 @@ class FlightSimulation final : public SimulationBase {
     const auto count = [](std::int64_t n) { return static_cast<double>(n); };
     figures.metrics.push_back({"end_time", "s", "Simulated time at the end", solver_.time()});
     pilot_.figures(*recording_, figures.metrics);
-    addFlightFigures(*recording_, figures.metrics);
+    addFlightFigures(*recording_, plant_.constants().supply, figures.metrics);
     figures.metrics.push_back({"steps", "1", "Accepted steps", count(statistics.steps)});
     figures.metrics.push_back({"evaluations", "1", "Evaluations of the equations of motion",
                                count(statistics.evaluations + startEvaluations_)});
@@ -102,13 +105,16 @@ class FlightSimulation final : public SimulationBase {
   bool prepare(double t, double h) {
     plant_.derivativeAndForces(y_, derivative_, forces_);
     const bool jumped = pilot_.act(t, h, plant_, y_, derivative_, forces_);
+    // A winding takes up no current at once: the bus at the start of a tick is the one under load.
+    const bool empty = PlantType::kDrive == RotorDrive::Motors &&
+                       forces_.busVoltage < plant_.constants().supply.cutOff;
     if (jumped) {
       ++startEvaluations_;
       // ABM4 keeps its history over ticks where nothing did.
       solver_.restart();
       solver_.setStartDerivative(derivative_);
     }
-    if (done_ % every_ != 0 && done_ < ticks_) return true;
+    if (done_ % every_ != 0 && done_ < ticks_ && !empty) return true;
     double* out = row_.data();
     *out++ = t;
     visitMultirotorOutputs<PlantType>(
@@ -117,7 +123,8 @@ class FlightSimulation final : public SimulationBase {
     pilot_.row(out);
     const bool kept = recording_->append(row_);
     if (!kept) failFull(t);
-    return kept;
+    if (kept && empty) fail(emptyBattery(t, forces_.busVoltage, plant_.constants().supply.cutOff));
+    return kept && !empty;
   }
 
   double duration_;

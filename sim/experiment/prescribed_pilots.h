@@ -53,7 +53,7 @@ class VoltagePilot {
   bool act(double t, double /*h*/, Plant& plant, Plant::State& y, Plant::State& derivative,
            MultirotorForces<4>& forces) {
     const Plant::Command before = plant.command();
-    plant.setCommand(signal_.at(t) / plant.constants().supply.voltage);
+    plant.setCommand(signal_.at(t) / plant.openCircuit(y));
     plant.updateCommand(y, derivative, forces);
     return plant.command() != before;
   }

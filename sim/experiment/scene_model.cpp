@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sim/experiment/experiment.h"
-#include "sim/vehicle/multirotor.h"
+#include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {
 
@@ -40,21 +40,23 @@ SceneRotor drawnRotor(const RotorPlacement& placement, double radius, int blades
 }
 
 std::optional<SceneModel> modelOf(const Flight& flight) {
-  const auto constants = buildMultirotor<4>(flight.vehicle, flight.environment);
+  const MassProperties body = massOf(flight.vehicle, 4);
   SceneModel model;
   double reach = 0;
   for (const auto& hub : rotorsOf(flight.vehicle, 4)) {
-    const double radius = buildRotor(hub.rotor).radius;
-    SceneRotor rotor = drawnRotor(hub.placement, radius, hub.rotor.blades);
+    const double radius = rotorRadius(hub.rotor.aerodynamics);
+    const PropellerGeometry* geometry = rotorGeometry(hub.rotor.aerodynamics);
+    const int blades = geometry != nullptr ? geometry->blades : hub.rotor.blades;
+    SceneRotor rotor = drawnRotor(hub.placement, radius, blades);
     // The recorded position is the centre of mass.
-    rotor.position -= constants.centre;
+    rotor.position -= body.centre;
     reach = std::max(reach, rotor.position.norm());
     model.rotors.push_back(std::move(rotor));
   }
   const auto* parts = std::get_if<PartsMass>(&flight.vehicle.mass);
   model.bodyRadius = parts != nullptr ? parts->bodyRadius : 0.3 * reach;
   // An arrow of full length is twice the thrust that carries the vehicle.
-  model.fullThrust = 2 * constants.mass * constants.gravity / 4;
+  model.fullThrust = 2 * body.mass * flight.environment.gravity / 4;
   return model;
 }
 

@@ -117,6 +117,10 @@ class DocumentReader {
     const auto option =
         std::find_if(field.options.begin(), field.options.end(),
                      [&](const auto& o) { return key != nullptr && o.key == *key; });
+    if (type == nullptr && field.untyped) {
+      field.choose(owner, 0);
+      return readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path, {});
+    }
     if (option == field.options.end()) {
       return report(path + ".type",
                     type == nullptr ? "this key is missing" : type->shown() + " is not allowed",

@@ -153,6 +153,7 @@ class SchemaWriter {
         for (std::size_t i = 0; i < field.options.size(); ++i) {
           alternatives.push_back(reference(field.alternativeType(i), field.options[i].key));
         }
+        if (field.untyped) alternatives.push_back(reference(field.alternativeType(0), {}));
         return {{"oneOf", std::move(alternatives)}};
       }
       case Kind::List:

@@ -1,6 +1,7 @@
 #include "sim/propulsion/battery.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace rotorbench {
@@ -56,6 +57,22 @@ Supply::Supply(const SupplyModel& model) {
   inverseCapacity = 1 / (b.parallel * b.capacity);
   cutOff = b.series * b.cutOff;
   charge = b.charge;
+}
+
+double Supply::secondsAt(double power, double stateOfCharge) const {
+  if (!(inverseCapacity > 0) || !(power > 0)) return std::numeric_limits<double>::infinity();
+  constexpr int kParts = 1000;
+  const double inner = resistance + polarisation, part = stateOfCharge / kParts;
+  double time = 0;
+  for (int i = 0; i < kParts; ++i) {
+    const double open = openCircuit(stateOfCharge - (i + 0.5) * part);
+    const double root = open * open - 4 * inner * power;
+    if (root < 0) break;  // more than the pack can give
+    const double voltage = 0.5 * (open + std::sqrt(root));
+    if (voltage < cutOff) break;
+    time += part / inverseCapacity * voltage / power;
+  }
+  return time;
 }
 
 void Describe<CellVoltage>::fields(schema::Builder<CellVoltage>& b) {

@@ -58,6 +58,10 @@ class Supply {
     return S(voltages_[i] + (place - S(cell)) * (voltages_[i + 1] - voltages_[i]));
   }
 
+  /// Seconds for which the pack gives a constant power in W from a state of charge on, polarised as after a long time,
+  /// until it is empty or below its cut-off; infinite for a supply that never empties and for no power.
+  [[nodiscard]] double secondsAt(double power, double stateOfCharge) const;
+
   double resistance = 0;               ///< R_0 of the pack, Ohm
   double polarisation = 0;             ///< R_1 of the pack, Ohm
   double inversePolarisationTime = 0;  ///< 1/tau_1, 1/s

@@ -19,14 +19,14 @@
 #include <vector>
 
 #include "sim/propulsion/blade.h"
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/rotor_load.h"
 
 namespace rotorbench {
 
 /// The air a propeller works in.
 struct AirState {
-  double density = 1.225;      ///< kg/m^3, not negative
-  double viscosity = 1.81e-5;  ///< Pa s, dynamic, above 0
+  double density = 1.225;            ///< kg/m^3, not negative
+  double viscosity = kAirViscosity;  ///< Pa s, dynamic, above 0
 };
 
 /// How finely and with which momentum factor a propeller is solved.

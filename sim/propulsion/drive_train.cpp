@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <complex>
 
 namespace rotorbench {
 
@@ -60,12 +59,7 @@ double DriveTrain::fastestPole(double w) const {
                       (2 * h);
   const double r = motor_.resistance + escResistance_, k = motor_.torqueConstant;
   if (quasiStatic_) return (drag + k * k / r) * inverseInertia_;
-  // [di/dt; dw/dt] = [[-r/L, -k/L], [k/J, -drag/J]]
-  const double a = r * motor_.inverseInductance, d = drag * inverseInertia_;
-  const double determinant = a * d + k * k * motor_.inverseInductance * inverseInertia_;
-  const std::complex<double> root =
-      std::sqrt(std::complex<double>((a + d) * (a + d) / 4 - determinant));
-  return std::abs((a + d) / 2 + root);
+  return rotorbench::fastestPole(motor_, r, drag, 1 / inverseInertia_);
 }
 
 namespace {

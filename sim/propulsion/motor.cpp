@@ -1,6 +1,7 @@
 #include "sim/propulsion/motor.h"
 
 #include <algorithm>
+#include <complex>
 
 namespace rotorbench {
 
@@ -19,6 +20,15 @@ MotorConstants buildMotor(const MotorParameters& p) {
   m.dryFriction = noLoadSpeed > 0 ? (1 - p.viscousShare) * noLoadTorque / sign : noLoadTorque;
   m.maxCurrent = p.maxCurrent;
   return m;
+}
+
+double fastestPole(const MotorConstants& motor, double resistance, double drag, double inertia) {
+  const double a = resistance * motor.inverseInductance, d = drag / inertia;
+  const double k = motor.torqueConstant;
+  const double determinant = a * d + k * k * motor.inverseInductance / inertia;
+  const std::complex<double> root =
+      std::sqrt(std::complex<double>((a + d) * (a + d) / 4 - determinant));
+  return std::abs((a + d) / 2 + root);
 }
 
 void Describe<MotorParameters>::fields(schema::Builder<MotorParameters>& b) {

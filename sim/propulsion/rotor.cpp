@@ -1,115 +1,57 @@
 #include "sim/propulsion/rotor.h"
 
-#include <numbers>
+#include <Eigen/Core>
+#include <cmath>
 
 namespace rotorbench {
 
-namespace {
-
-void setInflow(RotorConstants& c, const RotorInflow& inflow, double density) {
-  c.drag = inflow.drag / density;
-  c.inflow = inflow.inflow / density;
-  c.lift = inflow.translationalLift / density;
-  c.flapping = inflow.flapping / density;
+RotorConstants::Static RotorConstants::atRest(double w, double density) const {
+  if (model == nullptr) {
+    const double square = density * w * std::abs(w);
+    return {thrust * square, torque * square};
+  }
+  const auto load =
+      model->load<double>(w, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), 1, density);
+  return {load.thrust, load.torque};
 }
 
-void setAerodynamics(RotorConstants& c, const RotorCoefficients& a) {
-  c.thrust = a.thrust / a.referenceDensity;
-  c.torque = a.torque / a.referenceDensity;
-  c.radius = a.diameter / 2;
-  setInflow(c, a.inflow, a.referenceDensity);
+void RotorConstants::linearise(double w, double density) {
+  if (model == nullptr) return;
+  const Static at = atRest(w, density);
+  thrust = at.thrust / (density * w * w);
+  torque = at.torque / (density * w * w);
 }
-
-void setAerodynamics(RotorConstants& c, const PropellerCoefficients& a) {
-  constexpr double kTurn = 2 * std::numbers::pi;
-  c.thrust = a.thrustCoefficient * std::pow(a.diameter, 4) / (kTurn * kTurn);
-  c.torque = a.powerCoefficient * std::pow(a.diameter, 5) / (kTurn * kTurn * kTurn);
-  c.radius = a.diameter / 2;
-  setInflow(c, a.inflow, kStandardDensity);
-}
-
-}  // namespace
 
 RotorConstants buildRotor(const RotorParameters& parameters) {
   RotorConstants c;
-  std::visit([&c](const auto& a) { setAerodynamics(c, a); }, parameters.aerodynamics);
+  std::visit(
+      [&c](const auto& a) {
+        if constexpr (requires { lumpedModel(a); })
+          static_cast<RotorModel<double>&>(c) = lumpedModel(a);
+      },
+      parameters.aerodynamics);
+  c.model = prepareRotor(parameters.aerodynamics);
   c.inertia = parameters.inertia;
   c.inverseInertia = 1 / parameters.inertia;
   return c;
 }
 
-void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
-  using P = RotorInflow;
-  b.title(
-      "inflow", "Effects of moving air",
-      "In-plane drag, loss of thrust in climb, translational lift and flapping of the lumped rotor "
-      "model.",
-      "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
-  b.number("drag", &P::drag, "Rotor drag", "k_d", "N*s^2/m")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("Force against in-plane motion: k_d times rotor speed times air speed.");
-  b.number("inflow", &P::inflow, "Inflow loss", "k_z", "N*s^2/m")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("Thrust lost in climb: k_z times rotor speed times climb speed.");
-  b.number("translationalLift", &P::translationalLift, "Translational lift", "k_h", "N*s^2/m^2")
-      .range(schema::atLeast(0), schema::upTo(10))
-      .help("Thrust won in level flight: k_h times in-plane air speed squared.");
-  b.number("flapping", &P::flapping, "Flapping", "k_flap", "N*s^2")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("Moment at the hub from flapping blades.")
-      .advanced();
-}
-
-void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) {
-  using P = RotorCoefficients;
-  const char* hummingbird = "AscTec Hummingbird: RotorPy, vehicles/hummingbird_params.py";
-  b.title("coefficients", "Lumped coefficients",
-          "Thrust k_eta w\u00b2 and drag torque k_m w\u00b2, with the effects of moving air.",
-          "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
-  b.number("thrust", &P::thrust, "Thrust coefficient", "k_\u03b7", "N*s^2")
-      .range(schema::above(0), schema::upTo(1))
-      .help("Thrust per rotor speed squared.")
-      .source(hummingbird);
-  b.number("torque", &P::torque, "Torque coefficient", "k_m", "N*m*s^2")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("Drag torque per rotor speed squared.")
-      .source(hummingbird);
-  b.group("inflow", &P::inflow, "Moving air").source(hummingbird);
-  b.number("referenceDensity", &P::referenceDensity, "Holds at air density", "\u03c1\u2080",
-           "kg/m^3")
-      .range(schema::above(0), schema::upTo(100))
-      .help("Forces scale with the actual density over this one.")
-      .advanced();
-  b.number("diameter", &P::diameter, "Diameter", "D", "m")
-      .range(schema::above(0), schema::upTo(10))
-      .shownIn("in")
-      .help("Only for drawing; the coefficients hold the aerodynamics.")
-      .source("8 inch propeller of the Hummingbird");
-}
-
-void Describe<PropellerCoefficients>::fields(schema::Builder<PropellerCoefficients>& b) {
-  using P = PropellerCoefficients;
-  const char* dji = "JSBSim aircraft F450, engine/DJI_9450.xml, advance ratio 0";
-  b.title(
-      "propeller", "Propeller coefficients",
-      "Thrust CT \u03c1 n\u00b2 D\u2074 and torque CP \u03c1 n\u00b2 D\u2075/(2\u03c0), n in turns "
-      "per second, with the coefficients at rest.",
-      "McCormick, Aerodynamics, Aeronautics and Flight Mechanics, ch. 6");
-  b.number("thrustCoefficient", &P::thrustCoefficient, "Thrust coefficient", "CT", "1")
-      .range(schema::above(0), schema::upTo(1))
-      .help("At rest (advance ratio 0).")
-      .source(dji);
-  b.number("powerCoefficient", &P::powerCoefficient, "Power coefficient", "CP", "1")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("At rest (advance ratio 0).")
-      .source(dji);
-  b.number("diameter", &P::diameter, "Diameter", "D", "m")
-      .range(schema::above(0), schema::upTo(10))
-      .shownIn("in")
-      .source(dji);
-  b.group("inflow", &P::inflow, "Moving air")
-      .help("At an air density of 1.225 kg/m\u00b3.")
-      .advanced();
+void Describe<RotorEsc>::fields(schema::Builder<RotorEsc>& b) {
+  using P = RotorEsc;
+  using namespace schema;
+  b.title("rotor-esc", "Speed controller (ESC)",
+          "An averaged converter: v = duty V - R i at the motor, the voltage kept in the band of "
+          "R i_max around the back-EMF.",
+          "R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3");
+  b.number("resistance", &P::resistance, "Resistance", "R_esc", "Ohm")
+      .range(atLeast(0), upTo(10))
+      .shownIn("mOhm")
+      .help("Of the switches that carry the motor's current; 0 where the motor's holds it.")
+      .source("0: the E305's published resistance holds winding and speed controller");
+  b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
+      .range(above(0), upTo(1e5))
+      .help("The lower one of this and the motor's holds.")
+      .source("The continuous rating of a 30 A controller");
 }
 
 void Describe<RotorParameters>::fields(schema::Builder<RotorParameters>& b) {
@@ -129,8 +71,9 @@ void Describe<RotorParameters>::fields(schema::Builder<RotorParameters>& b) {
       .source("AirSim, MultiRotorParams.hpp: MT2212 motor of an F450 frame");
   b.integer("blades", &P::blades, "Blades", "N_b")
       .range(schema::atLeast(1), schema::upTo(12))
-      .help("Only for drawing.");
+      .help("Only for drawing where the rotor is known by coefficients; a geometry has its own.");
   b.group("motor", &P::motor, "Motor");
+  b.group("esc", &P::esc, "Speed controller (ESC)");
 }
 
 }  // namespace rotorbench

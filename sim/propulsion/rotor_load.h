@@ -16,5 +16,7 @@ struct RotorLoad {
 };
 
 inline constexpr double kStandardDensity = 1.225;  ///< kg/m^3, ISO 2533:1975 at sea level
+/// Pa s, dynamic, at 20 degrees Celsius by Sutherland's law; it changes by 3 % in 13 kelvin.
+inline constexpr double kAirViscosity = 1.81e-5;
 
 }  // namespace rotorbench

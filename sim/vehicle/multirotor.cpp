@@ -40,6 +40,8 @@ RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>&
     }
     lanes.spin[lane] = hub.spin;
     lanes.inverseInertia[lane] = hub.rotor.inverseInertia;
+    lanes.escResistance[lane] = hub.escResistance;
+    lanes.voltageBand[lane] = hub.motor.resistance * hub.motor.maxCurrent;
     lanes.rotor.thrust[lane] = hub.rotor.thrust;
     lanes.rotor.torque[lane] = hub.rotor.torque;
     lanes.rotor.drag[lane] = hub.rotor.drag;
@@ -53,6 +55,53 @@ RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>&
     lanes.motor.dryFriction[lane] = hub.motor.dryFriction;
   }
   return lanes;
+}
+
+/// Squares of the rotor speeds that hover, which may be negative or no numbers where none do. Force up and moments of
+/// each rotor are linear in the square of its speed, as far as its coefficients are constant.
+template <int N>
+Eigen::Matrix<double, N, 1> hoverSquares(const MultirotorConstants<N>& c) {
+  Eigen::Matrix<double, 4, N> effect;
+  const double density = c.air.density(0.0);
+  for (int i = 0; i < N; ++i) {
+    const auto& hub = c.hubs[static_cast<std::size_t>(i)];
+    const Eigen::Vector3d force = density * hub.rotor.thrust * hub.axis;
+    effect(0, i) = force.z();
+    effect.template block<3, 1>(1, i) =
+        hub.arm.cross(force) - hub.spin * density * hub.rotor.torque * hub.axis;
+  }
+  const Eigen::Vector4d load(c.mass * c.gravity, 0, 0, 0);
+  return effect.completeOrthogonalDecomposition().solve(load);
+}
+
+/// Brings the thrust and torque factors of all rotors to the speeds at which they hover: coefficients and speeds are
+/// worked out in turn, which converges fast, the ones changing little with the others. Where nothing hovers the factors
+/// are those of half the highest speed.
+template <int N>
+void lineariseAtHover(MultirotorConstants<N>& c) {
+  const double sea = c.air.density(0.0), density = sea > 0 ? sea : kStandardDensity;
+  std::array<double, N> half;
+  for (std::size_t i = 0; i < N; ++i) {
+    half[i] = 0.5 * c.openCircuit / c.hubs[i].motor.torqueConstant;
+    c.hubs[i].rotor.linearise(half[i], density);
+  }
+  if (!(sea > 0)) return;
+  constexpr int kMostRounds = 60;
+  constexpr double kClose = 1e-14;
+  std::array<double, N> speeds = half;
+  for (int round = 0; round < kMostRounds; ++round) {
+    const Eigen::Matrix<double, N, 1> squares = hoverSquares(c);
+    double change = 0;
+    for (std::size_t i = 0; i < N; ++i) {
+      const double square = squares[static_cast<int>(i)];
+      const bool hovers = square > 0 && std::isfinite(square);
+      const double next = hovers ? std::sqrt(square) : half[i];
+      change = std::max(change, std::abs(next / speeds[i] - 1));
+      speeds[i] = next;
+      c.hubs[i].rotor.linearise(next, density);
+    }
+    if (change < kClose) return;
+  }
 }
 
 }  // namespace
@@ -70,9 +119,10 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
     hub.spin = spinSign(rotors[i].placement.spin);
     hub.rotor = buildRotor(rotors[i].rotor);
     hub.motor = buildMotor(rotors[i].rotor.motor);
+    hub.motor.maxCurrent = std::min(hub.motor.maxCurrent, rotors[i].rotor.esc.maxCurrent);
+    hub.escResistance = rotors[i].rotor.esc.resistance;
     hub.momentum = hub.spin * hub.rotor.inertia * hub.axis;
   }
-  c.lanes = lanesOf<N>(c.hubs);
   c.mass = body.mass;
   c.inverseMass = 1 / body.mass;
   c.centre = body.centre;
@@ -81,7 +131,12 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
   c.gravity = environment.gravity;
   c.air = buildAir(environment.air);
   c.drag = vehicle.drag;
-  c.supply = vehicle.supply;
+  c.supply = Supply(vehicle.supply);
+  c.openCircuit = c.supply.openCircuit(c.supply.charge);
+  c.lumped =
+      std::ranges::all_of(c.hubs, [](const auto& hub) { return hub.rotor.model == nullptr; });
+  if (!c.lumped) lineariseAtHover(c);
+  c.lanes = lanesOf<N>(c.hubs);
   return c;
 }
 
@@ -91,6 +146,7 @@ void Multirotor<N, Drive>::derivativeAndForces(const State& y, State& dydt,
   evaluate(command_, y, dydt, ForcesSink<N>{forces});
   forces.acceleration = dydt.template segment<3>(Layout::kVelocity);
   forces.attitude = eulerAngles(y.template segment<4>(Layout::kAttitude));
+  forces.stateOfCharge = stateOfCharge(y);
 }
 
 template <int N, RotorDrive Drive>
@@ -100,17 +156,43 @@ void Multirotor<N, Drive>::updateCommand(const State& y, State& dydt,
   if constexpr (Drive == RotorDrive::Motors) {
     const LanesOf<double> speed = y.template segment<N>(L::kSpeed).array();
     const LanesOf<double> current = y.template segment<N>(L::kCurrent).array();
-    forces.supplyCurrent = LanesOf<double>(command_.array() * current).sum();
-    forces.busVoltage =
-        constants_.supply.voltage - constants_.supply.internalResistance * forces.supplyCurrent;
-    const LanesOf<double> voltage = command_.array() * forces.busVoltage;
-    dydt[L::kCharge] = forces.supplyCurrent;
+    const Electrical<double> at = electrical<double>(command_, y);
+    const Supply& supply = constants_.supply;
+    forces.supplyCurrent = at.supplyCurrent;
+    forces.busVoltage = at.bus;
+    dydt[L::kCharge] = at.supplyCurrent;
+    dydt[L::kPolarisation] = (supply.polarisation * at.supplyCurrent - y[L::kPolarisation]) *
+                             supply.inversePolarisationTime;
+    dydt[L::kEnergy] = at.bus * at.supplyCurrent;
     dydt.template segment<N>(L::kCurrent) =
-        constants_.lanes.motor.currentRate(voltage, current, speed).matrix();
-    Eigen::Map<LanesOf<double>>(forces.voltage.data()) = voltage;
+        constants_.lanes.motor.currentRate(at.voltage, current, speed).matrix();
+    Eigen::Map<LanesOf<double>>(forces.voltage.data()) = at.voltage;
   } else {
     dydt.template segment<N>(L::kSpeed) = command_;
   }
+}
+
+template <int N, RotorDrive Drive>
+FlightPowers Multirotor<N, Drive>::powers(const State& y) const {
+  using L = Layout;
+  State rate;
+  MultirotorForces<N> forces{};
+  derivativeAndForces(y, rate, forces);
+  FlightPowers p{};
+  const double i = forces.supplyCurrent;
+  p.source = openCircuit(y) * i;
+  p.supplyLoss = constants_.supply.resistance * i * i + y[L::kPolarisation] * i;
+  for (int k = 0; k < N; ++k) {
+    const auto& hub = constants_.hubs[static_cast<std::size_t>(k)];
+    const double w = y[L::kSpeed + k], current = y[L::kCurrent + k];
+    p.escLoss += hub.escResistance * current * current;
+    p.copperLoss += hub.motor.resistance * current * current;
+    p.frictionLoss += hub.motor.friction(w) * w;
+    p.shaft += forces.torque[static_cast<std::size_t>(k)] * w;
+    p.magnetic += hub.motor.inductance * current * rate[L::kCurrent + k];
+    p.kinetic += hub.rotor.inertia * w * rate[L::kSpeed + k];
+  }
+  return p;
 }
 
 template <int N, RotorDrive Drive>
@@ -120,7 +202,8 @@ Eigen::Matrix2d Multirotor<N, Drive>::linear(int i) const {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
     const auto& m = hub.motor;
     a << -m.viscousFriction * hub.rotor.inverseInertia, m.torqueConstant * hub.rotor.inverseInertia,
-        -m.torqueConstant * m.inverseInductance, -m.resistance * m.inverseInductance;
+        -m.torqueConstant * m.inverseInductance,
+        -(m.resistance + hub.escResistance) * m.inverseInductance;
   }
   return a;
 }
@@ -146,8 +229,8 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
     if constexpr (Drive == RotorDrive::Motors) {
       for (int i = 0; i < N; ++i) {
         const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-        const double torque =
-            hub.rotor.torque * constants_.air.density(start.position.z()) * speeds[i] * speeds[i];
+        const double density = constants_.air.density(start.position.z());
+        const double torque = hub.rotor.atRest(speeds[i], density).torque;
         y[Layout::kCurrent + i] = hub.motor.steadyCurrent(speeds[i], torque);
       }
     }
@@ -161,18 +244,7 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
 
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const {
-  // Force up and moments of each rotor are linear in the square of its speed.
-  Eigen::Matrix<double, 4, N> effect;
-  const double density = constants_.air.density(0.0);
-  for (int i = 0; i < N; ++i) {
-    const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-    const Eigen::Vector3d force = density * hub.rotor.thrust * hub.axis;
-    effect(0, i) = force.z();
-    effect.template block<3, 1>(1, i) =
-        hub.arm.cross(force) - hub.spin * density * hub.rotor.torque * hub.axis;
-  }
-  const Eigen::Vector4d load(constants_.mass * constants_.gravity, 0, 0, 0);
-  const Command squares = effect.completeOrthogonalDecomposition().solve(load);
+  const Command squares = hoverSquares(constants_);
   if (!(squares.minCoeff() >= 0) || !squares.allFinite()) {
     throw InputError("vehicle", {{"layout", "the rotors cannot hold the vehicle level",
                                   "rotors around the centre of mass, and air"}});
@@ -187,16 +259,14 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(
   Command current, voltage;
   for (int i = 0; i < N; ++i) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-    current[i] = hub.motor.steadyCurrent(
-        speeds[i], density * hub.rotor.torque * speeds[i] * std::abs(speeds[i]));
-    voltage[i] = hub.motor.steadyVoltage(speeds[i], current[i]);
+    current[i] = hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
+    voltage[i] = hub.drive().steadyVoltage(speeds[i], current[i]);
   }
   // Bus voltage b: b = V - R_s sum(d i) with d = v/b, so b^2 - V b + R_s P = 0; the upper root is
   // the stable one.
-  const auto& s = constants_.supply;
-  const double power = voltage.dot(current);
-  const double root = s.voltage * s.voltage - 4 * s.internalResistance * power;
-  const double bus = 0.5 * (s.voltage + std::sqrt(std::max(0.0, root)));
+  const double open = constants_.openCircuit, power = voltage.dot(current);
+  const double root = open * open - 4 * constants_.supply.resistance * power;
+  const double bus = 0.5 * (open + std::sqrt(std::max(0.0, root)));
   return voltage / bus;
 }
 
@@ -215,7 +285,8 @@ std::string Multirotor<N, Drive>::componentName(int index) {
   if (index < L::kVelocity) return axis("momentum", L::kMomentum);
   if (index < L::kPosition) return axis("velocity", L::kVelocity);
   if (index < L::kCharge) return axis("position", L::kPosition);
-  return "supply.charge";
+  if (index == L::kCharge) return "supply.charge";
+  return index == L::kPolarisation ? "supply.polarisation" : "supply.energy";
 }
 
 Eigen::Vector3d eulerAngles(const Eigen::Vector4d& q) {

@@ -1,6 +1,6 @@
 // A multirotor as a rigid body with N spinning rotors: Newton-Euler equations (physics of Mahony,
-// Kumar, Corke, "Multirotor Aerial Vehicles", IEEE RAM 2012) with motors and the lumped rotor
-// model. SI units; inertial frame x forward, y left, z up; body axes alike, origin of the state:
+// Kumar, Corke, "Multirotor Aerial Vehicles", IEEE RAM 2012) with any of the rotor models, motors,
+// speed controllers and one supply for all of them. SI units; inertial frame x forward, y left, z up; body axes alike, origin of the state:
 // the actual centre of mass.
 //
 //   p' = v            v' = g + R F/m            q' = q * (0, w)/2
@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "sim/environment/environment.h"
+#include "sim/propulsion/battery.h"
 #include "sim/propulsion/motor.h"
 #include "sim/propulsion/rotor.h"
 #include "sim/vehicle/vehicle_parameters.h"
@@ -34,6 +35,8 @@ struct RotorLanes {
   using Lanes = Eigen::Array<double, N, 1>;
   std::array<Lanes, 3> arm, axis, momentum;  ///< x, y, z of what Hub holds
   Lanes spin, inverseInertia;
+  Lanes escResistance;  ///< Ohm
+  Lanes voltageBand;    ///< V, R i_max: how far the terminals may leave the back-EMF
   RotorModel<Lanes> rotor;
   MotorModel<Lanes> motor;
 };
@@ -47,7 +50,14 @@ struct MultirotorConstants {
     double spin;               ///< +1 counter-clockwise from above
     Eigen::Vector3d momentum;  ///< s J a: angular momentum per rotor speed
     RotorConstants rotor;
-    MotorConstants motor;
+    MotorConstants motor;      ///< its current limit is the lower one of motor and speed controller
+    double escResistance = 0;  ///< Ohm
+    /// Winding and speed controller as one: what a controller sees that sets the duty.
+    [[nodiscard]] MotorConstants drive() const {
+      MotorConstants m = motor;
+      m.resistance += escResistance;
+      return m;
+    }
   };
   std::array<Hub, N> hubs;
   RotorLanes<N> lanes;  ///< the numbers of `hubs` again
@@ -57,7 +67,9 @@ struct MultirotorConstants {
   double gravity;
   AirConstants air;
   BodyDrag drag;
-  SupplyParameters supply;
+  bool lumped = true;      ///< every rotor: `lanes` holds all of them
+  double openCircuit = 0;  ///< V, of the supply at the start; of one that never empties always
+  Supply supply{SupplyModel{}};
 };
 
 /// Throws InputError naming every problem of mass properties or rotor numbers. `asPlanned` leaves
@@ -75,17 +87,19 @@ enum class RotorDrive {
 };
 
 /// Where each quantity stands in the state. Rotor arrays come first and everything is contiguous,
-/// so that the sums of a Runge-Kutta step vectorise; 2 N + 14 is even for the same reason.
+/// so that the sums of a Runge-Kutta step vectorise; 2 N + 16 is even for the same reason.
 template <int N>
 struct MultirotorLayout {
-  static constexpr int kSpeed = 0;              ///< rad/s, N
-  static constexpr int kCurrent = N;            ///< A, N
-  static constexpr int kAttitude = 2 * N;       ///< w x y z, body to inertial
-  static constexpr int kMomentum = 2 * N + 4;   ///< H, body axes, kg m^2/s
-  static constexpr int kVelocity = 2 * N + 7;   ///< inertial, m/s
-  static constexpr int kPosition = 2 * N + 10;  ///< inertial, m
-  static constexpr int kCharge = 2 * N + 13;    ///< A s drawn from the supply
-  static constexpr int kStates = 2 * N + 14;
+  static constexpr int kSpeed = 0;                  ///< rad/s, N
+  static constexpr int kCurrent = N;                ///< A, N
+  static constexpr int kAttitude = 2 * N;           ///< w x y z, body to inertial
+  static constexpr int kMomentum = 2 * N + 4;       ///< H, body axes, kg m^2/s
+  static constexpr int kVelocity = 2 * N + 7;       ///< inertial, m/s
+  static constexpr int kPosition = 2 * N + 10;      ///< inertial, m
+  static constexpr int kCharge = 2 * N + 13;        ///< A s drawn from the supply
+  static constexpr int kPolarisation = 2 * N + 14;  ///< V over the RC pair of the battery
+  static constexpr int kEnergy = 2 * N + 15;        ///< J drawn from the supply's terminals
+  static constexpr int kStates = 2 * N + 16;
 };
 
 /// What the derivative works out on the way, for sensors, charts and recordings.
@@ -96,11 +110,28 @@ struct MultirotorForces {
   std::array<double, N> voltage;  ///< V at the motor
   double busVoltage;              ///< V of the supply under load
   double supplyCurrent;           ///< A drawn from the supply
+  double stateOfCharge;           ///< 0..1; stays where it is for a supply that never empties
   Eigen::Vector3d attitude;       ///< roll, pitch, yaw (Z-Y-X), rad; yaw in (-pi, pi]
   Eigen::Vector3d rates;          ///< body rates, rad/s
   Eigen::Vector3d acceleration;   ///< inertial, m/s^2
   Eigen::Vector3d
       specificForce;  ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
+};
+
+/// Powers in W of one instant of all motors and the supply; what goes in equals what is stored and lost.
+struct FlightPowers {
+  double source;        ///< OCV i, taken from the cells
+  double supplyLoss;    ///< R_0 i^2 + v_rc i
+  double escLoss;       ///< sum of R_esc i^2
+  double copperLoss;    ///< sum of R i^2
+  double frictionLoss;  ///< sum of friction(w) w
+  double shaft;         ///< sum of Q w: what the air takes
+  double magnetic;      ///< d/dt of the sum of L i^2/2
+  double kinetic;       ///< sum of J w w'
+  /// source minus everything else; 0 up to rounding.
+  [[nodiscard]] double residual() const {
+    return source - supplyLoss - escLoss - copperLoss - frictionLoss - shaft - magnetic - kinetic;
+  }
 };
 
 template <int N, RotorDrive Drive = RotorDrive::Motors>
@@ -153,7 +184,7 @@ class Multirotor {
 
   /// Motor pairs (speed, current) for the exponential Runge-Kutta method; linear(i) is the constant
   /// part
-  /// [[-f/J, K/J], [-K/L, -R/L]] of their equations (zero where speeds are prescribed).
+  /// [[-f/J, K/J], [-K/L, -R/L]] of their equations, R with the speed controller's (zero where speeds are prescribed).
   static constexpr int kPairs = N;
   static constexpr std::pair<int, int> pair(int i) {
     return {Layout::kSpeed + i, Layout::kCurrent + i};
@@ -188,6 +219,19 @@ class Multirotor {
   /// Duties that hold given rotor speeds in still air. May exceed 1 where the supply is too weak.
   [[nodiscard]] Command steadyDuties(const Command& speeds) const;
 
+  /// Open-circuit voltage in V and state of charge, 0..1, of the supply.
+  template <class S>
+  [[nodiscard]] S stateOfCharge(const StateOf<S>& y) const {
+    return S(constants_.supply.charge - y[Layout::kCharge] * constants_.supply.inverseCapacity);
+  }
+  template <class S>
+  [[nodiscard]] S openCircuit(const StateOf<S>& y) const {
+    if (!(constants_.supply.inverseCapacity > 0)) return S(constants_.openCircuit);
+    return constants_.supply.openCircuit(stateOfCharge(y));
+  }
+  /// The energy ledger of supply and motors with the command held.
+  [[nodiscard]] FlightPowers powers(const State& y) const;
+
   /// "rotor1.speed", "position.z": for messages about a state component.
   [[nodiscard]] static std::string componentName(int index);
   [[nodiscard]] const Constants& constants() const { return constants_; }
@@ -199,6 +243,28 @@ class Multirotor {
     for (int k = 0; k < 3; ++k) r[k] = m(k, 0) * v[0] + m(k, 1) * v[1] + m(k, 2) * v[2];
     return r;
   }
+
+  /// Supply and motors' voltages for a duty and a current of each.
+  template <class S>
+  struct Electrical {
+    LanesOf<S> voltage;
+    S bus, supplyCurrent;
+  };
+  template <class S>
+  [[nodiscard]] Electrical<S> electrical(const CommandOf<S>& command, const StateOf<S>& y) const;
+  /// Some motor's terminals would leave the band around its back-EMF.
+  template <class S>
+  [[nodiscard]] bool beyondBand(const LanesOf<S>& excess) const;
+  template <class S>
+  void limitCurrent(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
+                    Electrical<S>& at) const;
+  template <class S>
+  using LoadOf = RotorLoad<LanesOf<S>, std::array<LanesOf<S>, 3>>;
+  /// Rotor by rotor, where one at least is not lumped.
+  template <class S>
+  [[nodiscard]] LoadOf<S> mixedLoads(const LanesOf<S>& speed,
+                                     const std::array<LanesOf<S>, 3>& hubVelocity,
+                                     const S& density) const;
 
   template <class S, class Sink>
   void evaluate(const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt,

@@ -24,6 +24,86 @@ inline constexpr double kSmallSpeedSquared = 1e-12;  // m^2/s^2
 }  // namespace detail
 
 template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] typename Multirotor<N, Drive>::template LoadOf<S>
+Multirotor<N, Drive>::mixedLoads(const LanesOf<S>& speed,
+                                 const std::array<LanesOf<S>, 3>& hubVelocity,
+                                 const S& density) const {
+  using Vector = Eigen::Matrix<S, 3, 1>;
+  LoadOf<S> all;
+  for (int i = 0; i < N; ++i) {
+    const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+    const Vector v(hubVelocity[0][i], hubVelocity[1][i], hubVelocity[2][i]);
+    const RotorLoad<S> one =
+        hub.rotor.model != nullptr
+            ? hub.rotor.model->template load<S>(speed[i], v, hub.axis, hub.spin, density)
+            : hub.rotor.template load<S, Vector>(speed[i], v, hub.axis, hub.spin, density);
+    for (int k = 0; k < 3; ++k) {
+      all.force[static_cast<std::size_t>(k)][i] = one.force[k];
+      all.moment[static_cast<std::size_t>(k)][i] = one.moment[k];
+    }
+    all.thrust[i] = one.thrust;
+    all.torque[i] = one.torque;
+  }
+  return all;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive>::electrical(
+    const CommandOf<S>& command, const StateOf<S>& y) const {
+  using Lanes = LanesOf<S>;
+  const auto& lanes = constants_.lanes;
+  const Lanes current = y.template segment<N>(Layout::kCurrent).array();
+  const Lanes speed = y.template segment<N>(Layout::kSpeed).array();
+  const S inner = openCircuit(y) - y[Layout::kPolarisation];
+  Electrical<S> at;
+  at.supplyCurrent = Lanes(command.array() * current).sum();
+  at.bus = inner - constants_.supply.resistance * at.supplyCurrent;
+  const Lanes free = command.array() * at.bus - lanes.escResistance * current;
+  const Lanes back = lanes.motor.torqueConstant * speed;
+  at.voltage = free;
+  const Lanes excess = free - back;
+  if (beyondBand(excess)) limitCurrent(current, back, inner, at);
+  return at;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+inline bool Multirotor<N, Drive>::beyondBand(const LanesOf<S>& excess) const {
+  const auto& band = constants_.lanes.voltageBand;
+  if constexpr (std::is_same_v<S, double>) {
+    return (excess.abs() > band).any();
+  } else {
+    for (int i = 0; i < N; ++i) {
+      if (std::abs(valueOf(excess[i])) > band[i]) return true;
+    }
+    return false;
+  }
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::limitCurrent(const LanesOf<S>& current,
+                                                          const LanesOf<S>& back, const S& inner,
+                                                          Electrical<S>& at) const {
+  using std::max;
+  using std::sqrt;
+  using Lanes = LanesOf<S>;
+  const auto& lanes = constants_.lanes;
+  for (int i = 0; i < N; ++i) {
+    const double excess = valueOf(at.voltage[i]) - valueOf(back[i]), band = lanes.voltageBand[i];
+    if (std::abs(excess) > band) at.voltage[i] = back[i] + (excess > 0 ? band : -band);
+  }
+  // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
+  // root being the stable one.
+  const S power = Lanes((at.voltage + lanes.escResistance * current) * current).sum();
+  const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
+  at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));
+  at.supplyCurrent = power / at.bus;
+}
+
+template <int N, RotorDrive Drive>
 template <class S, class Sink>
 inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const StateOf<S>& y,
                                            StateOf<S>& dydt, Sink&& sink) const {
@@ -61,30 +141,36 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
     hubVelocity[k] =
         v[axis] + (w[(axis + 1) % 3] * lanes.arm[b] - w[(axis + 2) % 3] * lanes.arm[a]);
   }
-  const auto load = lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
-    const Lanes turning =
-        load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
-    force[static_cast<int>(k)] += load.force[k].sum();
-    moment[static_cast<int>(k)] += turning.sum();
+  Lanes thrust, torque;
+  const auto add = [&](const LoadOf<S>& load) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
+      const Lanes turning =
+          load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
+      force[static_cast<int>(k)] += load.force[k].sum();
+      moment[static_cast<int>(k)] += turning.sum();
+    }
+    thrust = load.thrust;
+    torque = load.torque;
+  };
+  if (c.lumped) {
+    add(lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density));
+  } else {
+    add(mixedLoads<S>(speed, hubVelocity, density));
   }
 
-  S supplyCurrent = S(0.0), bus = S(c.supply.voltage);
-  Lanes voltage = Lanes::Constant(S(0.0));
+  Electrical<S> at{Lanes::Constant(S(0.0)), S(c.openCircuit), S(0.0)};
   auto speedRate = dydt.template segment<N>(L::kSpeed).array();
   auto currentRate = dydt.template segment<N>(L::kCurrent).array();
   if constexpr (Drive == RotorDrive::Motors) {
     const Lanes current = y.template segment<N>(L::kCurrent).array();
-    supplyCurrent = Lanes(command.array() * current).sum();
-    bus -= c.supply.internalResistance * supplyCurrent;
-    voltage = command.array() * bus;
-    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - load.torque) *
+    at = electrical<S>(command, y);
+    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - torque) *
                 lanes.inverseInertia;
-    currentRate = lanes.motor.currentRate(voltage, current, speed);
+    currentRate = lanes.motor.currentRate(at.voltage, current, speed);
   } else {
     speedRate = command.array();
-    currentRate = voltage;
+    currentRate = at.voltage;
   }
 
   dydt[L::kAttitude] = -0.5 * (qx * w[0] + qy * w[1] + qz * w[2]);
@@ -100,8 +186,11 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   dydt[L::kVelocity] = r.xx * force[0] + r.xy * force[1] + r.xz * force[2];
   dydt[L::kVelocity + 1] = r.yx * force[0] + r.yy * force[1] + r.yz * force[2];
   dydt[L::kVelocity + 2] = r.zx * force[0] + r.zy * force[1] + r.zz * force[2] - c.gravity;
-  dydt[L::kCharge] = supplyCurrent;
-  sink(load.thrust, load.torque, voltage, w, force, bus, supplyCurrent);
+  dydt[L::kCharge] = at.supplyCurrent;
+  dydt[L::kPolarisation] = (c.supply.polarisation * at.supplyCurrent - y[L::kPolarisation]) *
+                           c.supply.inversePolarisationTime;
+  dydt[L::kEnergy] = at.bus * at.supplyCurrent;
+  sink(thrust, torque, at.voltage, w, force, at.bus, at.supplyCurrent);
 }
 
 }  // namespace rotorbench

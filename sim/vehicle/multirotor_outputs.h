@@ -38,6 +38,9 @@ void visitMultirotorOutputs(const typename Plant::State& y,
     visit(0, "supply.power", "W", "Power drawn from the supply",
           forces.busVoltage * forces.supplyCurrent);
     visit(0, "supply.charge", "C", "Charge drawn from the supply", y[L::kCharge]);
+    visit(0, "supply.energy", "J", "Energy drawn from the supply", y[L::kEnergy]);
+    visit(0, "supply.stateOfCharge", "1", "State of charge of the battery; 1 for a fixed supply",
+          forces.stateOfCharge);
   }
   for (int i = 0; i < Plant::kRotors; ++i) {
     const auto k = static_cast<std::size_t>(i);

@@ -146,7 +146,7 @@ void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) 
   b.list("payloads", &P::payloads, "Payloads").items(0, 100).table();
   b.list("deviations", &P::deviations, "Deviations").items(0, 100).table();
   b.group("drag", &P::drag, "Body drag");
-  b.group("supply", &P::supply, "Supply");
+  b.variant("supply", &P::supply, "Supply").untyped();
   b.check([](const P& p, std::vector<Problem>& problems) {
     constexpr int kCount = 4;
     auto found = countProblems(p, kCount);

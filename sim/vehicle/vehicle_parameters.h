@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sim/core/schema.h"
-#include "sim/propulsion/motor.h"
+#include "sim/propulsion/battery.h"
 #include "sim/propulsion/rotor.h"
 #include "sim/vehicle/geometry.h"
 #include "sim/vehicle/mass_properties.h"
@@ -52,7 +52,7 @@ struct VehicleParameters {
   std::vector<PointMass> payloads;
   std::vector<RotorDeviation> deviations;
   BodyDrag drag;
-  SupplyParameters supply;
+  SupplyModel supply;
   bool operator==(const VehicleParameters&) const = default;
 };
 

@@ -1,11 +1,11 @@
 // Evaluations of one propeller per second: blade elements from nothing, blade elements that start from the last
-// solution, blade elements averaged over the azimuth, and the map. The states are those of a flight, 256 speeds and air
+// solution, blade elements averaged over the azimuth, the map, and the four rotor models as a flight asks them. The states are those of a flight, 256 speeds and air
 // speeds around hover, one after the other. "build map" is what the map costs once.
 #include <benchmark/benchmark.h>
 
 #include <array>
 
-#include "sim/propulsion/propeller_map.h"
+#include "sim/propulsion/rotor.h"
 
 namespace {
 
@@ -58,6 +58,18 @@ void map(benchmark::State& bench) {
   const PropellerMap m(rotor());
   run(bench, [&](const State& s) { return m.axial(s.omega, s.axial, {}).thrust; });
 }
+/// Force and moment of a rotor model as a flight asks for them, `side` m/s from the side.
+void fly(benchmark::State& bench, const RotorAerodynamics& aerodynamics, double side) {
+  RotorParameters parameters;
+  parameters.aerodynamics = aerodynamics;
+  const RotorConstants r = buildRotor(parameters);
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  run(bench, [&](const State& s) {
+    const Eigen::Vector3d v(side, 0, s.axial);
+    return r.model != nullptr ? r.model->load<double>(s.omega, v, axis, 1, 1.225).force
+                              : r.load<double, Eigen::Vector3d>(s.omega, v, axis, 1, 1.225).force;
+  });
+}
 void buildMap(benchmark::State& bench) {
   for (auto _ : bench) benchmark::DoNotOptimize(PropellerMap(rotor()));
 }
@@ -66,6 +78,13 @@ BENCHMARK(bladeElement)->Name("blade element");
 BENCHMARK(bladeElementWarm)->Name("blade element, warm start");
 BENCHMARK(bladeElementOblique)->Name("blade element, oblique flow");
 BENCHMARK(map)->Name("map");
+BENCHMARK_CAPTURE(fly, lumped, PropellerCoefficients{}, 5)->Name("flight, lumped");
+BENCHMARK_CAPTURE(fly, measured, MeasuredPropeller{}, 5)->Name("flight, measured");
+BENCHMARK_CAPTURE(fly, mapStill, MapPropeller{}, 0)->Name("flight, map, axial flow");
+BENCHMARK_CAPTURE(fly, map, MapPropeller{}, 5)->Name("flight, map");
+BENCHMARK_CAPTURE(fly, bladeElementStill, BladeElementPropeller{}, 0)
+    ->Name("flight, blade-element, axial flow");
+BENCHMARK_CAPTURE(fly, bladeElement, BladeElementPropeller{}, 5)->Name("flight, blade-element");
 BENCHMARK(buildMap)->Name("build map")->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -82,7 +82,7 @@ void TestPidFlight::settlesOnEverySetPoint() {
   QFETCH(int, vehicle);
   VehicleParameters v;
   if (vehicle == 1) v.deviations = {{1, {0.02, 0.02, 0}, 0}, {3, Eigen::Vector3d::Zero(), 0.03}};
-  if (vehicle == 2) v.supply.internalResistance = 0.03;
+  if (vehicle == 2) std::get<SupplyParameters>(v.supply).internalResistance = 0.03;
   if (vehicle == 3) {
     v.layout = PlusLayout{};
     v.mass = PartsMass{};

@@ -39,6 +39,24 @@ struct Shorten {
   void operator()(Flight& flight) const {
     flight.duration = 4.5 * flight.tick;
     limit(flight.solver);
+    if (auto* equal = std::get_if<EqualRotors>(&flight.vehicle.rotors)) coarsen(equal->rotor);
+    if (auto* own = std::get_if<IndividualRotors>(&flight.vehicle.rotors)) {
+      for (RotorParameters& rotor : own->rotors) coarsen(rotor);
+    }
+  }
+  /// Blade elements and maps as coarse as they may be.
+  static void coarsen(RotorParameters& rotor) {
+    const auto coarse = [](BladeElementSettings& settings) {
+      settings.elements = std::min(settings.elements, 6);
+      settings.azimuths = std::min(settings.azimuths, 6);
+    };
+    if (auto* solved = std::get_if<BladeElementPropeller>(&rotor.aerodynamics))
+      coarse(solved->settings);
+    if (auto* mapped = std::get_if<MapPropeller>(&rotor.aerodynamics)) {
+      coarse(mapped->settings);
+      mapped->map.directions = mapped->map.sideDirections = 16;
+      mapped->map.reynoldsNumbers = mapped->map.sideAngles = 4;
+    }
   }
   void operator()(BirotorMotion& motion) const {
     motion.duration = 4.5 * motion.sampleInterval;

@@ -150,7 +150,7 @@ void TestMultirotor::hoverIsAnEquilibrium() {
   QFETCH(int, which);
   QFETCH(double, speed);
   VehicleParameters v = which == 3 ? hummingbird() : VehicleParameters{};
-  if (which == 1) v.supply.internalResistance = 0.05;
+  if (which == 1) std::get<SupplyParameters>(v.supply).internalResistance = 0.05;
   if (which == 2) v.deviations = {{1, {0.02, 0.02, 0}, 0}, {3, Vector3d::Zero(), 0.03}};
   if (which == 4) {
     v.mass = PartsMass{};
@@ -310,7 +310,7 @@ void TestMultirotor::bodyDragStopsTheVehicle() {
 /// Power in = copper + magnetic + friction + aerodynamic + rotor acceleration, at any state.
 void TestMultirotor::electricalPowerIsAccountedFor() {
   VehicleParameters v;
-  v.supply.internalResistance = 0.02;
+  std::get<SupplyParameters>(v.supply).internalResistance = 0.02;
   const auto constants = buildMultirotor<4>(v, {});
   Driven plant(constants);
   auto y = plant.initialState({});
@@ -347,7 +347,7 @@ void TestMultirotor::prescribedSpeedJumpKeepsMomentum() {
 void TestMultirotor::weakSupplyNeedsMoreDuty() {
   VehicleParameters v;
   const Driven ideal(buildMultirotor<4>(v, {}));
-  v.supply.internalResistance = 0.05;
+  std::get<SupplyParameters>(v.supply).internalResistance = 0.05;
   const Driven weak(buildMultirotor<4>(v, {}));
   const auto speeds = ideal.hoverSpeeds();
   QVERIFY(weak.steadyDuties(speeds)[0] > 1.02 * ideal.steadyDuties(speeds)[0]);

@@ -30,7 +30,7 @@ void TestMultirotorJacobian::exactJacobianEqualsCentralDifferences() {
   rotor.inflow.flapping = 1e-5;
   std::get<EqualRotors>(v.rotors).rotor.aerodynamics = rotor;
   v.drag = {0.05, {0.01, 0.02, 0.03}, {0.001, 0.002, 0.003}};
-  v.supply.internalResistance = 0.03;
+  std::get<SupplyParameters>(v.supply).internalResistance = 0.03;
   v.deviations = {{2, {0.01, 0.02, 0.03}, 0.02}};
   Plant plant(buildMultirotor<4>(v, {}));
   FlightStart start;
