@@ -95,7 +95,7 @@ class TestCli : public QObject {
     const Outcome outcome = cli({"data-sheet", "--json", "--set", "motor.speedConstant=920 rpm/V"});
     QCOMPARE(outcome.code, 0);
     // K_t = 60/(2 pi Kv).
-    QVERIFY(std::abs(figure(outcome.out, "motor.torqueConstant") - 0.01037965) < 1e-8);
+    QVERIFY(std::abs(figure(outcome.out, "motor.torqueConstant") - 60 / (2 * M_PI * 920)) < 1e-12);
     QVERIFY(cli({"data-sheet"}).out.contains("Thrust to weight"));
     const Outcome wrong = cli({"data-sheet", "--set", "motor.speedConstant=-1"});
     QCOMPARE(wrong.code, 2);

@@ -157,10 +157,13 @@ void FigureTable::updateRows() {
 }
 
 void FigureTable::fitLastColumn() {
+  const int room = table_->viewport()->width();
+  const int least = kLeastDetail * table_->fontMetrics().averageCharWidth();
+  // The symbol is in the tool tip too; it goes first where there is no room.
+  table_->setColumnHidden(kSymbol, room < 3 * least);
   int others = 0;
   for (int c = 0; c < kDetail; ++c) others += table_->columnWidth(c);
-  const int least = kLeastDetail * table_->fontMetrics().averageCharWidth();
-  const int width = std::max(least, table_->viewport()->width() - others);
+  const int width = std::max(least, room - others);
   if (width == table_->columnWidth(kDetail)) return;
   table_->setColumnWidth(kDetail, width);
   table_->resizeRowsToContents();
