@@ -1,6 +1,29 @@
 #include "sim/propulsion/propeller_map.h"
 
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
 namespace rotorbench {
+
+namespace {
+
+/// Calls work(i) for all i below `count` on all processors: every point of a map stands alone, so the numbers do not
+/// depend on how many there are.
+template <class Work>
+void inParallel(std::size_t count, const Work& work) {
+  constexpr unsigned kMost = 8;
+  std::atomic<std::size_t> next{0};
+  const auto run = [&] {
+    for (std::size_t i = next++; i < count; i = next++) work(i);
+  };
+  std::vector<std::jthread> helpers;
+  for (unsigned k = 1; k < std::min(kMost, std::thread::hardware_concurrency()); ++k)
+    helpers.emplace_back(run);
+  run();
+}
+
+}  // namespace
 
 PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings)
     : radius_(rotor.radius()), area_(std::numbers::pi * radius_ * radius_) {
@@ -20,7 +43,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
   leastLogReynolds_ = std::log(settings.leastReynolds);
   rowsPerLog_ = lastRow_ / (std::log(settings.mostReynolds) - leastLogReynolds_);
   const AirState air;
-  for (std::size_t i = 0; i < rows; ++i) {
+  inParallel(rows, [&](std::size_t i) {
     const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / rowsPerLog_);
     const double speed = reynolds * air.viscosity / (air.density * radius_);
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
@@ -31,7 +54,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
       values_[(i + 1) * stride_ + k + 1] = {load.thrust * scale, load.torque * scale / radius_};
     }
-  }
+  });
   extrapolateEdges(rows);
 }
 
@@ -48,17 +71,16 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
   sideAnglesPerAngle_ = static_cast<double>(angles - 1) / (std::numbers::pi / 2);
   sideRowsPerLog_ = rowsPerLog_ * static_cast<double>(kSideRows - 1) / lastRow_;
   const AirState air;
-  for (std::size_t i = 0; i < kSideRows; ++i) {
+  inParallel(kSideRows * angles, [&](std::size_t place) {
+    const std::size_t i = place / angles, j = place % angles;
     const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / sideRowsPerLog_);
     const double speed = reynolds * air.viscosity / (air.density * radius_);
-    for (std::size_t j = 0; j < angles; ++j) {
-      const double angle = std::fmax(kLeastAngle, static_cast<double>(j) / sideAnglesPerAngle_);
-      for (std::size_t k = 0; k < directions; ++k) {
-        const double chi = static_cast<double>(k) / sideDirectionsPerAngle_ - std::numbers::pi / 2;
-        side_[sideIndex(i, j + 1, k + 1)] = sideAt(rotor, chi, angle, speed);
-      }
+    const double angle = std::fmax(kLeastAngle, static_cast<double>(j) / sideAnglesPerAngle_);
+    for (std::size_t k = 0; k < directions; ++k) {
+      const double chi = static_cast<double>(k) / sideDirectionsPerAngle_ - std::numbers::pi / 2;
+      side_[sideIndex(i, j + 1, k + 1)] = sideAt(rotor, chi, angle, speed);
     }
-  }
+  });
   extrapolateSideEdges();
 }
 

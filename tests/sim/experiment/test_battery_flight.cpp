@@ -94,7 +94,7 @@ class TestBatteryFlight : public QObject {
     QTest::addColumn<QString>("method");
     QTest::addColumn<double>("resistance");
     QTest::addColumn<QString>("named");
-    QTest::addRow("RK4 at 1 ms") << "rk4" << 0.0 << "fastest pole";
+    QTest::addRow("RK4 on a soft supply") << "rk4" << 0.05 << "fastest pole";
     QTest::addRow("Euler at 1 ms") << "euler" << 0.0 << "fastest pole";
     QTest::addRow("exponential") << "exponential-rk4" << 0.0 << "";
     QTest::addRow("exponential on a soft supply")
