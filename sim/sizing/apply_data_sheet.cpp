@@ -24,38 +24,76 @@ Coefficients coefficientsOf(const DataSheet& sheet) {
   return {train.load().thrust.at(p.speed), train.load().quadratic.at(p.speed)};
 }
 
-RotorInflow inflowOf(const RotorAerodynamics& aerodynamics) {
-  return std::visit([](const auto& a) { return a.inflow; }, aerodynamics);
-}
+/// What moving air does to a lumped rotor; a model that works it out itself has nothing to hand on.
+struct InflowOf {
+  RotorInflow operator()(const PropellerCoefficients& a) const { return a.inflow; }
+  RotorInflow operator()(const RotorCoefficients& a) const { return a.inflow; }
+  RotorInflow operator()(const MeasuredPropeller& a) const {
+    return {a.inPlane.drag, 0, a.inPlane.translationalLift, a.inPlane.flapping};
+  }
+  RotorInflow operator()(const MapPropeller& /*a*/) const { return {}; }
+  RotorInflow operator()(const BladeElementPropeller& /*a*/) const { return {}; }
+};
 
-/// Effects of moving air stay those the vehicle had: no data sheet names them.
+/// Effects of moving air stay those the vehicle had where the propeller is lumped: no data sheet names them.
 RotorAerodynamics aerodynamicsOf(const DataSheet& sheet, const RotorAerodynamics& before) {
+  const RotorInflow inflow = std::visit(InflowOf{}, before);
   if (const auto* p = std::get_if<PropellerLoad>(&sheet.propeller)) {
-    return PropellerCoefficients{p->thrustCoefficient, p->powerCoefficient, p->diameter,
-                                 inflowOf(before)};
+    return PropellerCoefficients{p->thrustCoefficient, p->powerCoefficient, p->diameter, inflow};
+  }
+  if (const auto* p = std::get_if<BladeElementLoad>(&sheet.propeller)) {
+    return MapPropeller{p->propeller, p->settings, {}};
   }
   const Coefficients c = coefficientsOf(sheet);
   const double scale = kStandardDensity / airDensityOf(sheet);
-  return RotorCoefficients{c.thrust * scale, c.torque * scale, inflowOf(before), kStandardDensity,
+  return RotorCoefficients{c.thrust * scale, c.torque * scale, inflow, kStandardDensity,
                            diameterOf(sheet)};
 }
 
+/// Static coefficients of a rotor whose thrust and torque go with the square of its speed.
 PropellerLoad staticLoadOf(const RotorAerodynamics& aerodynamics, double density) {
+  RotorParameters rotor, unit;
+  rotor.aerodynamics = aerodynamics;
   PropellerLoad load;
   load.airDensity = density;
+  load.diameter = 2 * rotorRadius(aerodynamics);
+  unit.aerodynamics = PropellerCoefficients{1, 1, load.diameter, {}};
+  const RotorConstants c = buildRotor(rotor), one = buildRotor(unit);
+  load.thrustCoefficient = c.thrust / one.thrust;
+  load.powerCoefficient = c.torque / one.torque;
+  return load;
+}
+
+/// Any other rotor at rest as a table up to a speed in rad/s.
+StaticTable staticTableOf(const RotorAerodynamics& aerodynamics, double density, double topSpeed) {
   RotorParameters rotor;
   rotor.aerodynamics = aerodynamics;
   const RotorConstants c = buildRotor(rotor);
-  load.diameter = 2 * c.radius;
-  // The inverse of PropellerCoefficients: per unit of density, speed in turns per second.
-  const RotorConstants unit = [&] {
-    RotorParameters one;
-    one.aerodynamics = PropellerCoefficients{1, 1, load.diameter, {}};
-    return buildRotor(one);
-  }();
-  load.thrustCoefficient = c.thrust / unit.thrust;
-  load.powerCoefficient = c.torque / unit.torque;
-  return load;
+  StaticTable table{2 * rotorRadius(aerodynamics), density, density, {}};
+  constexpr int kRows = 20;
+  for (int k = 1; k <= kRows; ++k) {
+    const double w = topSpeed * k / kRows;
+    const auto at = c.atRest(w, density);
+    table.rows.push_back({w, at.thrust, at.torque});
+  }
+  return table;
+}
+
+DataSheetPropeller propellerOf(const RotorAerodynamics& aerodynamics, double density,
+                               double topSpeed) {
+  const auto* map = std::get_if<MapPropeller>(&aerodynamics);
+  const auto* blades = std::get_if<BladeElementPropeller>(&aerodynamics);
+  if (map != nullptr || blades != nullptr) {
+    BladeElementLoad load;
+    load.propeller = map != nullptr ? map->propeller : blades->propeller;
+    load.settings = map != nullptr ? map->settings : blades->settings;
+    load.airDensity = density;
+    return load;
+  }
+  if (std::holds_alternative<MeasuredPropeller>(aerodynamics) && density > 0) {
+    return staticTableOf(aerodynamics, density, topSpeed);
+  }
+  return staticLoadOf(aerodynamics, density);
 }
 
 DataSheet sheetOf(const Flight& flight) {
@@ -68,7 +106,8 @@ DataSheet sheetOf(const Flight& flight) {
   sheet.esc = escOf(rotor);
   sheet.supply = supplyOf(flight.vehicle);
   sheet.inertia = GivenInertia{rotor.inertia};
-  sheet.propeller = staticLoadOf(rotor.aerodynamics, buildAir(flight.environment.air).density(0.0));
+  sheet.propeller = propellerOf(rotor.aerodynamics, buildAir(flight.environment.air).density(0.0),
+                                Supply(sheet.supply).openCircuit(1.0) * rotor.motor.speedConstant);
   sheet.vehicle.gravity = flight.environment.gravity;
   try {
     sheet.vehicle.mass = massOf(flight.vehicle, sheet.vehicle.rotors).mass;

@@ -31,6 +31,7 @@ SteadyFlight::SteadyFlight(const VehicleParameters& vehicle,
     motors_[i] = rotors[i].rotor.motor;
     escs_[i] = escOf(rotors[i].rotor);
     currentLimits_[i] = std::min(motors_[i].maxCurrent, escs_[i].maxCurrent);
+    radii_[i] = rotorRadius(rotors[i].rotor.aerodynamics);
     arm_ = std::max(arm_, constants_.hubs[i].arm.norm());
   }
 }

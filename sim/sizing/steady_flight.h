@@ -67,9 +67,7 @@ class SteadyFlight {
   [[nodiscard]] double mass() const { return constants_.mass; }
   [[nodiscard]] double weight() const { return constants_.mass * constants_.gravity; }
   [[nodiscard]] double density() const { return constants_.air.density(0.0); }
-  [[nodiscard]] double radius(int rotor) const {
-    return constants_.hubs[static_cast<std::size_t>(rotor)].rotor.radius;
-  }
+  [[nodiscard]] double radius(int rotor) const { return radii_[static_cast<std::size_t>(rotor)]; }
 
  private:
   using Vehicle = Multirotor<kSheetRotors, RotorDrive::PrescribedSpeeds>;
@@ -86,7 +84,7 @@ class SteadyFlight {
   Supply supply_;
   std::array<EscParameters, kSheetRotors> escs_;
   std::array<MotorParameters, kSheetRotors> motors_;
-  std::array<double, kSheetRotors> currentLimits_{};
+  std::array<double, kSheetRotors> currentLimits_{}, radii_{};
   double scale_ = 1;  ///< rad/s: of rotor speeds
   double arm_ = 1;    ///< m: of moments
 };

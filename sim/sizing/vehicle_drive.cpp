@@ -7,14 +7,13 @@ SupplyModel supplyOf(const VehicleParameters& vehicle) {
 }
 
 EscParameters escOf(const RotorParameters& rotor) {
-  return {
-      .resistance = rotor.esc.resistance, .responseTime = 0, .maxCurrent = rotor.esc.maxCurrent};
+  return {.resistance = rotor.esc.resistance, .maxCurrent = rotor.esc.maxCurrent};
 }
 
 void setDrive(VehicleParameters& vehicle, RotorParameters& rotor, const SupplyModel& supply,
               const EscParameters& esc, const MotorParameters& motor) {
   rotor.motor = motor;
-  rotor.esc = {esc.resistance, esc.maxCurrent};
+  rotor.esc = {.resistance = esc.resistance, .maxCurrent = esc.maxCurrent};
   vehicle.supply = supply;
 }
 

@@ -273,16 +273,18 @@ class TestDataSheet : public QObject {
   /// What the wizard says of the hover is what the vehicle does that it was put into.
   void appliedSheetHoversAsItSays_data() {
     QTest::addColumn<int>("propeller");
-    QTest::addRow("coefficients") << 0;
-    QTest::addRow("blade elements") << 1;
-    QTest::addRow("measured") << 2;
+    QTest::addColumn<double>("tolerance");
+    QTest::addRow("coefficients") << 0 << 1e-5;
+    QTest::addRow("blade elements") << 1 << 5e-3;  // flown by the map
+    QTest::addRow("measured") << 2 << 1e-5;
   }
   void appliedSheetHoversAsItSays() {
     QFETCH(int, propeller);
+    QFETCH(double, tolerance);
     Experiment experiment = loadExperiment(EXPERIMENTS_DIR "/f450-hover-and-steps.json");
     DataSheet sheet = *dataSheetOf(experiment);
     sheet.motor.resistance = 0.15;
-    sheet.supply = SupplyParameters{14.8, 0.02};
+    sheet.supply = BatteryParameters{.series = 4};
     if (propeller == 1) sheet.propeller = BladeElementLoad{};
     if (propeller == 2) sheet.propeller = StaticTable{};
     applyDataSheet(sheet, experiment);
@@ -291,8 +293,8 @@ class TestDataSheet : public QObject {
     const Multirotor<4> vehicle(buildMultirotor<4>(flight.vehicle, flight.environment));
     const auto speeds = vehicle.hoverSpeeds();
     const FigureSheet figures = figuresOf(sheet);
-    QVERIFY(near(speeds.mean(), value(figures, "hover.speed"), 1e-6));
-    QVERIFY(near(vehicle.steadyDuties(speeds).mean(), value(figures, "hover.throttle"), 1e-5));
+    QVERIFY(near(speeds.mean(), value(figures, "hover.speed"), tolerance));
+    QVERIFY(near(vehicle.steadyDuties(speeds).mean(), value(figures, "hover.throttle"), tolerance));
   }
 
   void standTakesASheetAndGivesItBack() {
