@@ -10,6 +10,7 @@ namespace {
 const DriveStand* standOf(const Experiment& experiment) {
   if (const auto* bench = std::get_if<MotorBench>(&experiment.setup)) return &bench->stand;
   if (const auto* run = std::get_if<MotorSpeedRun>(&experiment.setup)) return &run->stand;
+  if (const auto* stand = std::get_if<ThrustStand>(&experiment.setup)) return &stand->stand;
   return nullptr;
 }
 
@@ -177,6 +178,7 @@ void applyDataSheet(const DataSheet& sheet, Experiment& experiment) {
   if (auto* flight = std::get_if<Flight>(&experiment.setup)) return apply(sheet, *flight);
   if (auto* bench = std::get_if<MotorBench>(&experiment.setup)) return apply(sheet, bench->stand);
   if (auto* run = std::get_if<MotorSpeedRun>(&experiment.setup)) return apply(sheet, run->stand);
+  if (auto* stand = std::get_if<ThrustStand>(&experiment.setup)) return apply(sheet, stand->stand);
 }
 
 }  // namespace rotorbench

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/propulsion/advance_sweep.h"
 #include "sim/propulsion/bracketed_root.h"
 #include "sim/validation/statistics.h"
 
@@ -54,10 +55,9 @@ double peakEfficiency(const std::vector<PropellerPoint>& run) {
 
 Coefficients coefficients(const BladeElementRotor& rotor, double omega, double advance,
                           const AirState& air) {
-  const double n = omega / kTurn, d = 2 * rotor.radius();
-  const AxialLoad load = rotor.axial(omega, advance * n * d, air);
-  const double scale = air.density * n * n * std::pow(d, 4);
-  return {load.thrust / scale, load.torque * kTurn / (scale * d)};
+  const double speed = advance * omega / kTurn * 2 * rotor.radius();
+  const AdvancePoint point = advancePoint(rotor, omega, speed, air);
+  return {point.thrustCoefficient, point.powerCoefficient};
 }
 
 PropellerScore scoreAtRest(const PropellerSet& set, const BladeElementRotor& rotor) {
