@@ -11,6 +11,8 @@
 #include "sim/experiment/experiment.h"
 #include "sim/sizing/apply_data_sheet.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/library/library_forms.h"
+#include "ui/library/save_component.h"
 #include "ui/sizing/figure_table.h"
 #include "ui/sizing/plain_locale.h"
 #include "ui/sizing/throttle_chart.h"
@@ -32,13 +34,16 @@ DataSheetDialog::DataSheetDialog(DocumentModel& experiment, QWidget* parent)
       experiment_(experiment),
       sheet_(makeDocument(dataSheetOf(experiment.as<Experiment>()).value_or(DataSheet{}))),
       units_(&unitSettings_),
-      context_{&sheet_, &units_, plainLocale(), {}},
+      context_{&sheet_, &units_, plainLocale(), {}, {}, {}},
       form_(new ParameterForm(context_)),
       table_(new FigureTable(FigureTable::Detail::Formula)),
       chart_(new ThrottleChart),
       target_(new QLabel),
       result_([this] { return prepare(); }, [this](const Result& result) { showResult(result); }) {
   setObjectName("dataSheetDialog");
+  ComponentHooks library = componentHooks(sheet_, *this);
+  context_.hasComponents = std::move(library.has);
+  context_.pickComponent = std::move(library.pick);
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Motor from a data sheet"));
   resize(1080, 720);
@@ -94,6 +99,9 @@ void DataSheetDialog::buildButtons() {
   apply_->setObjectName("useDataSheet");
   read_ = buttons->addButton(tr("&Read from the experiment"), QDialogButtonBox::ActionRole);
   read_->setObjectName("readDataSheet");
+  auto* save = buttons->addButton(tr("&Save motor to library…"), QDialogButtonBox::ActionRole);
+  save->setObjectName("saveMotor");
+  connect(save, &QPushButton::clicked, this, &DataSheetDialog::saveMotor);
   auto* copy = buttons->addButton(tr("Copy as &text"), QDialogButtonBox::ActionRole);
   copy->setObjectName("copyDataSheet");
   // Enter in a field commits the field and presses no button.
@@ -131,6 +139,16 @@ void DataSheetDialog::readExperiment() {
   if (!found) return;
   DataSheet sheet = *found;
   sheet_.replaceObject({}, capture(schema::ref(sheet)), tr("Read from the experiment"));
+}
+
+void DataSheetDialog::saveMotor() {
+  sheet_.commitPendingEdits();
+  if (sheet_.hasErrors()) return updateTarget();
+  askToSaveComponent(makeComponent<MotorParameters>({}, sheet_.as<DataSheet>().motor), this,
+                     [this](const QString& sentence) {
+                       target_->setText(sentence);
+                       emit applied(sentence);
+                     });
 }
 
 void DataSheetDialog::apply() {

@@ -45,6 +45,7 @@ class DataSheetDialog : public QDialog {
   void buildButtons();
   void updateTarget();
   void readExperiment();
+  void saveMotor();
   void apply();
   [[nodiscard]] LatestResult<Result>::Job prepare() const;
   void showResult(const Result& result);
