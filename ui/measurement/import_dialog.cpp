@@ -6,6 +6,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -108,6 +109,12 @@ void ImportDialog::build() {
   connect(table_, &MappingTable::mappingChanged, this, &ImportDialog::mappingEdited);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::finish);
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+}
+
+// Enter in the path opens the file; it must not import what was open before.
+void ImportDialog::keyPressEvent(QKeyEvent* event) {
+  const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (!enter || !file_->hasFocus()) QDialog::keyPressEvent(event);
 }
 
 QWidget* ImportDialog::buildLayoutRow() {

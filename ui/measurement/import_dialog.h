@@ -33,6 +33,9 @@ class ImportDialog : public QDialog {
   /// A measured run was added; one sentence about it.
   void imported(const QString& sentence);
 
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
  private:
   void build();
   QWidget* buildLayoutRow();

@@ -34,6 +34,7 @@ MappingTable::MappingTable(QWidget* parent) : QTableWidget(parent) {
   setSelectionMode(NoSelection);
   setTabKeyNavigation(false);
   setWordWrap(false);
+  setMinimumHeight(9 * fontMetrics().lineSpacing());  // both choices and a few rows
   verticalHeader()->hide();
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }

@@ -135,6 +135,7 @@ void ResidualsDialog::fillComputed() {
 void ResidualsDialog::compare() {
   table_->setRowCount(0);
   chartRuns_.setRuns({});
+  sentence_->setVisible(true);
   if (offered_.empty()) {
     sentence_->setText(
         measured_.empty()
@@ -171,6 +172,7 @@ void ResidualsDialog::compare() {
   }
   if (table_->rowCount() == 0) sentences << tr("The two have no other channel in common.");
   sentence_->setText(sentences.join('\n'));
+  sentence_->setVisible(!sentences.isEmpty());
   table_->resizeColumnsToContents();
   table_->selectRow(0);
 }

@@ -28,10 +28,12 @@ struct Opened {
 
   explicit Opened(const QString& file) {
     dialog->show();
+    dialog->activateWindow();
+    if (!QTest::qWaitForWindowActive(dialog)) qFatal("no active window");
     auto* edit = child<QLineEdit>("importFile");
     edit->setFocus();
     QTest::keyClicks(edit, file);
-    QTest::keyClick(edit, Qt::Key_Tab);
+    QTest::keyClick(edit, Qt::Key_Return);
   }
   ~Opened() { delete dialog; }
 
