@@ -22,6 +22,10 @@ std::string withUnit(const std::string& number, const std::string& unit) {
 
 }  // namespace
 
+std::string numberIn(double value, const std::string& unit, const std::string& shown) {
+  return withUnit(digits(value / unitFactor(unit, shown), 5), shown);
+}
+
 std::string valueText(const FittedParameter& p) {
   if (!p.determined) return "not determined";
   constexpr int kDigits = 5;

@@ -69,7 +69,7 @@ constexpr std::array kQuantities{
              "1",
              "advance_ratio",
              {},
-             "over_advance.advance_ratio"},
+             "over_advance.j"},
     Quantity{"ct", "Thrust coefficient CT", "1", "1", "ct", {}, "over_advance.ct"},
     Quantity{"cp", "Power coefficient CP", "1", "1", "cp", {}, "over_advance.cp"},
     Quantity{"air_speed", "Air speed", "m/s", "m/s", "air_speed", {}, "over_advance.air_speed"},

@@ -16,7 +16,7 @@ namespace rotorbench {
 enum class ChannelGroup {
   Run,           ///< over time: "throttle", "motor.speed", "thrust"
   OverThrottle,  ///< steady points: "over_throttle.throttle", "over_throttle.thrust"
-  OverAdvance,   ///< a propeller's coefficients: "over_advance.advance_ratio", "over_advance.ct"
+  OverAdvance,   ///< a propeller's coefficients: "over_advance.j", "over_advance.ct"
 };
 
 /// One kind of measured number.

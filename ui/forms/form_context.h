@@ -13,12 +13,12 @@ namespace rotorbench {
 struct FormContext {
   DocumentModel* model = nullptr;
   UnitPreferences* units = nullptr;
-  QLocale locale;
+  QLocale locale{};
   /// Names offered where a field holds channel names; may be empty.
-  std::function<QStringList()> channelNames;
+  std::function<QStringList()> channelNames{};
   /// Whether there are ready components for the struct or variant at a path, and the picker for it; may be empty.
-  std::function<bool(const QString& path)> hasComponents;
-  std::function<void(const QString& path)> pickComponent;
+  std::function<bool(const QString& path)> hasComponents{};
+  std::function<void(const QString& path)> pickComponent{};
 };
 
 }  // namespace rotorbench

@@ -3,6 +3,7 @@
 #include <QObject>
 
 #include "ui/library/library_dialog.h"
+#include "ui/measurement/fit_dialog.h"
 #include "ui/measurement/import_dialog.h"
 #include "ui/measurement/residuals_dialog.h"
 #include "ui/propeller/propeller_editor.h"
@@ -48,6 +49,12 @@ void openImport(const ToolContext& context) {
   dialog->open();
 }
 
+void openFit(const ToolContext& context) {
+  auto* dialog = new FitDialog(context.documents.model(), context.runs, context.window);
+  QObject::connect(dialog, &FitDialog::done, context.window, context.say);
+  dialog->show();
+}
+
 void openResiduals(const ToolContext& context) {
   (new ResidualsDialog(context.runs, context.window))->open();
 }
@@ -68,6 +75,8 @@ const std::vector<Tool>& tools() {
        openPerformance},
       {"toolImport", "&Import measured data…", "document-import",
        "Adds the log of a stand or a tunnel to the charts", openImport},
+      {"toolFit", "&Fit to measurement…", "office-chart-line",
+       "Finds motor, propeller or rotor constants from measured data, with intervals", openFit},
       {"toolResiduals", "Compare with &measurement…", "view-statistics",
        "Shows how far a run is from measured data", openResiduals},
   };

@@ -224,7 +224,7 @@ void TestFits::propeller() {
   std::get<AnalyticSection>(real.sections.front().model).constants.profileDrag *= 1.3;
   const BladeElementRotor rotor(real, setup.settings);
   MeasuredTable table{"tunnel",
-                      {{"over_advance.advance_ratio", "1", {}},
+                      {{"over_advance.j", "1", {}},
                        {"motor.speed", "rad/s", {}},
                        {"ct", "1", {}},
                        {"cp", "1", {}}},

@@ -1,0 +1,173 @@
+// The fit dialog as a person uses it, on data made with a motor that is known: the values found, used in the experiment,
+// undone, and saved.
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSettings>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QtTest>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "sim/experiment/experiment.h"
+#include "sim/library/component_library.h"
+#include "ui/library/library_dialog.h"
+#include "ui/measurement/fit_dialog.h"
+
+using namespace rotorbench;
+
+namespace {
+
+constexpr double kRpm = std::numbers::pi / 30;
+
+Experiment standWithMotor(const MotorParameters& motor) {
+  Experiment experiment;
+  ThrustStand stand;
+  stand.stand.motor = motor;
+  stand.stand.esc.resistance = 0;
+  experiment.setup = stand;
+  return experiment;
+}
+
+/// Steady points of the stand as a log would have them: what the fit has to find is in `motor`.
+std::shared_ptr<const Recording> logOf(const MotorParameters& motor) {
+  const Experiment experiment = standWithMotor(motor);
+  const DriveTrain train = buildDriveTrain(std::get<ThrustStand>(experiment.setup).stand);
+  auto recording = std::make_shared<Recording>(std::vector<Channel>{{"throttle", "1", ""},
+                                                                    {"motor.speed", "rad/s", ""},
+                                                                    {"supply.voltage", "V", ""},
+                                                                    {"supply.current", "A", ""}});
+  for (int k = 4; k <= 20; ++k) {
+    const auto y = train.steadyState(k / 20.0, 1, 0);
+    const auto at = train.instant(y);
+    // A little scatter, always the same: 0.1 % of speed and current.
+    const double wobble = 1 + 1e-3 * std::sin(7.0 * k);
+    recording->append(std::array{k / 20.0, y[DriveTrain::kSpeed] * wobble, at.busVoltage,
+                                 at.busCurrent / wobble});
+  }
+  recording->finish();
+  return recording;
+}
+
+struct Fixture {
+  MotorParameters truth;
+  DocumentModel model{makeDocument(standWithMotor({}))};
+  RunList runs;
+  QPointer<FitDialog> dialog;
+
+  explicit Fixture(bool withData = true) {
+    truth.speedConstant = 1100 * kRpm;
+    truth.resistance = 0.15;
+    truth.noLoadCurrent = 0.8;
+    if (withData) runs.addMeasured("stand.csv", {}, logOf(truth));
+    dialog = new FitDialog(model, runs);
+    dialog->resize(1000, 680);
+    dialog->show();
+    dialog->activateWindow();
+    if (!QTest::qWaitForWindowActive(dialog)) qFatal("the dialog does not come up");
+  }
+  ~Fixture() { delete dialog; }
+
+  QPushButton* button(const char* name) { return dialog->findChild<QPushButton*>(name); }
+  void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+  QString message() { return dialog->findChild<QLabel*>("fitMessage")->text(); }
+  /// The text in the row of the table that begins with these words.
+  QString cell(const QString& first, int column) {
+    auto* table = dialog->findChild<QTableWidget*>("fitTable");
+    for (int row = 0; row < table->rowCount(); ++row) {
+      if (table->item(row, 0)->text().startsWith(first)) return table->item(row, column)->text();
+    }
+    return {};
+  }
+  MotorParameters motor() {
+    return std::get<ThrustStand>(model.as<Experiment>().setup).stand.motor;
+  }
+  void fit() {
+    click("fitRun");
+    QTRY_VERIFY_WITH_TIMEOUT(button("fitUse")->isEnabled(), 20000);
+  }
+};
+
+}  // namespace
+
+class TestFitDialog : public QObject {
+  Q_OBJECT
+
+  QTemporaryDir folder_;
+
+ private slots:
+  void initTestCase() {
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
+    qputenv("XDG_DATA_HOME", folder_.path().toUtf8());
+  }
+
+  void withoutDataSaysWhatToDo() {
+    Fixture f(false);
+    QVERIFY2(f.message().contains("import"), qPrintable(f.message()));
+    QVERIFY(!f.button("fitRun")->isEnabled());
+  }
+
+  void findsTheMotor() {
+    Fixture f;
+    QVERIFY2(f.button("fitRun")->isEnabled(), qPrintable(f.message()));
+    f.fit();
+    QVERIFY2(f.cell("Resistance", 2).contains("\u00B1"), qPrintable(f.cell("Resistance", 2)));
+    // The scatter of the log is a tenth of a percent.
+    f.click("fitUse");
+    QVERIFY2(std::abs(f.motor().resistance / f.truth.resistance - 1) < 0.05,
+             qPrintable(QString::number(f.motor().resistance)));
+    QVERIFY(std::abs(f.motor().speedConstant / f.truth.speedConstant - 1) < 0.01);
+    QVERIFY2(f.message().contains("Undo"), qPrintable(f.message()));
+    QCOMPARE(f.model.undoStack()->count(), 1);
+    f.model.undoStack()->undo();
+    QVERIFY(f.motor() == MotorParameters{});
+    QCOMPARE(f.dialog->findChild<QComboBox*>("fitOutput")->count(), 2);
+  }
+
+  void savesWithItsSource() {
+    Fixture f;
+    f.fit();
+    f.click("fitSave");
+    QWidget* question = nullptr;
+    QTRY_VERIFY((question = f.dialog->findChild<ComponentInfoDialog*>()) != nullptr);
+    auto* name = question->findChild<QLineEdit*>();
+    name->selectAll();
+    QTest::keyClicks(name, "Fitted motor");
+    QTest::keyClick(name, Qt::Key_Return);
+    QTRY_VERIFY2(f.message().contains("Fitted motor"), qPrintable(f.message()));
+    const ComponentLibrary library(shippedLibraryDirectory(), ownLibraryDirectory());
+    const auto found = std::ranges::find_if(library.entries(), [](const LibraryEntry& e) {
+      return e.own && e.component.info.name == "Fitted motor";
+    });
+    QVERIFY(found != library.entries().end());
+    QVERIFY(found->component.info.source.find("stand.csv") != std::string::npos);
+    QVERIFY(found->component.as<MotorParameters>() != nullptr);
+  }
+
+  /// The log has no thrust, so a lumped rotor cannot be found: the missing column is named.
+  void namesWhatTheDataLack() {
+    Fixture f;
+    auto* model = f.dialog->findChild<QComboBox*>("what");
+    QVERIFY(model != nullptr);
+    const int row = model->findText("Lumped", Qt::MatchStartsWith);
+    QVERIFY(row >= 0);
+    model->setCurrentIndex(row);
+    emit model->activated(row);
+    QTRY_VERIFY(!f.button("fitRun")->isEnabled());
+    QVERIFY2(f.message().contains("hrust"), qPrintable(f.message()));
+  }
+
+  void closesWhileItFits() {
+    Fixture f;
+    f.click("fitRun");
+    f.dialog->close();
+    QTRY_VERIFY(f.dialog.isNull());
+  }
+};
+
+QTEST_MAIN(TestFitDialog)
+#include "test_fit_dialog.moc"
