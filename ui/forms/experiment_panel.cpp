@@ -6,20 +6,11 @@
 #include "ui/forms/field_text.h"
 #include "ui/forms/form_style.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/forms/plain_locale.h"
 #include "ui/forms/section_tree.h"
 #include "ui/forms/sections.h"
 
 namespace rotorbench {
-
-namespace {
-
-QLocale plainLocale() {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-  return locale;
-}
-
-}  // namespace
 
 ExperimentPanel::ExperimentPanel(DocumentModel* model, QSettings* settings, QWidget* parent)
     : QWidget(parent),

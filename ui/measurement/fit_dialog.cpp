@@ -19,6 +19,7 @@
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/forms/plain_locale.h"
 #include "ui/library/save_component.h"
 #include "ui/runs/run_colors.h"
 
@@ -27,12 +28,6 @@ namespace rotorbench {
 namespace {
 
 constexpr int kClockMilliseconds = 100;
-
-QLocale fieldLocale() {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-  return locale;
-}
 
 const char* modelName(const FitRequest& request) {
   constexpr const char* kNames[]{"motor", "propeller by blade elements", "lumped rotor"};
@@ -75,7 +70,7 @@ FitDialog::FitDialog(DocumentModel& experiment, const RunList& runs, QWidget* pa
       target_(experiment),
       request_(makeDocument(FitRequest{})),
       units_(nullptr),
-      context_{&request_, &units_, fieldLocale()},
+      context_{&request_, &units_, plainLocale()},
       form_(new ParameterForm(context_)),
       set_(new QComboBox),
       output_(new QComboBox),

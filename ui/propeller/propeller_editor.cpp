@@ -15,6 +15,7 @@
 #include "ui/forms/field_text.h"
 #include "ui/forms/form_style.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/forms/plain_locale.h"
 #include "ui/library/library_forms.h"
 #include "ui/propeller/blade_curves.h"
 #include "ui/propeller/polar_import.h"
@@ -27,12 +28,6 @@ namespace {
 
 constexpr int kRefreshMilliseconds = 30;
 constexpr double kCloser = 0.62;  // there is nothing round a propeller to be seen
-
-QLocale fieldLocale() {
-  QLocale locale;
-  locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
-  return locale;
-}
 
 /// A button of the row below for an undo or redo action of the document.
 QToolButton* actionButton(QAction* action, const char* name) {
@@ -59,7 +54,7 @@ PropellerEditor::PropellerEditor(DocumentModel& model, QWidget* parent)
     : QDialog(parent),
       model_(model),
       units_(nullptr),
-      context_{&model, &units_, fieldLocale(), {}, {}, {}},
+      context_{&model, &units_, plainLocale(), {}, {}, {}},
       picker_(new QComboBox),
       form_(new ParameterForm(context_)),
       curves_(new BladeCurves),

@@ -11,10 +11,10 @@
 #include "sim/experiment/experiment.h"
 #include "sim/sizing/apply_data_sheet.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/forms/plain_locale.h"
 #include "ui/library/library_forms.h"
 #include "ui/library/save_component.h"
 #include "ui/sizing/figure_table.h"
-#include "ui/sizing/plain_locale.h"
 #include "ui/sizing/throttle_chart.h"
 
 namespace rotorbench {

@@ -10,8 +10,8 @@
 #include "sim/experiment/experiment.h"
 #include "sim/sizing/performance.h"
 #include "ui/forms/parameter_form.h"
+#include "ui/forms/plain_locale.h"
 #include "ui/sizing/figure_table.h"
-#include "ui/sizing/plain_locale.h"
 
 namespace rotorbench {
 
