@@ -2,11 +2,13 @@
 
 #include <QApplication>
 #include <QCloseEvent>
+#include <QDialog>
 #include <QDir>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
+#include <QShortcut>
 #include <QStackedWidget>
 #include <QStandardPaths>
 #include <QTimer>
@@ -153,11 +155,23 @@ void MainWindow::connectTools() {
   const ToolContext context{this, documents_, runs_, *bench_, note};
   const QList<QAction*> actions = actions_.tools->actions();
   for (qsizetype i = 0; i < actions.size(); ++i) {
-    const auto open = tools()[static_cast<std::size_t>(i)].open;
-    connect(actions[i], &QAction::triggered, this, [this, open, context] {
+    const Tool& tool = tools()[static_cast<std::size_t>(i)];
+    connect(actions[i], &QAction::triggered, this, [this, &tool, context] {
       showWorkbench();
-      open(context);
+      tool.open(context);
+      answerHelpKey(tool.topic);
     });
+  }
+}
+
+/// Gives the dialog that has just come up its page of the help; windows of their own do not see the main window's keys.
+void MainWindow::answerHelpKey(const QString& topic) {
+  const QString name = QStringLiteral("helpKey");
+  for (auto* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) {
+    if (dialog->findChild<QShortcut*>(name, Qt::FindDirectChildrenOnly) != nullptr) continue;
+    auto* key = new QShortcut(QKeySequence(Qt::Key_F1), dialog);
+    key->setObjectName(name);
+    connect(key, &QShortcut::activated, this, [this, topic] { showHelp({topic}); });
   }
 }
 

@@ -48,6 +48,7 @@ class MainWindow : public QMainWindow {
   void connectFileActions();
   void connectRunActions();
   void connectTools();
+  void answerHelpKey(const QString& topic);
   void connectViewActions();
   void connectHelpActions();
   void showGallery();

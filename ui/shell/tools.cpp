@@ -64,21 +64,23 @@ void openResiduals(const ToolContext& context) {
 const std::vector<Tool>& tools() {
   static const std::vector<Tool> kTools{
       {"toolLibrary", "Component &library…", "folder-open",
-       "Motors, propellers, batteries, airframes: shipped ones and yours", openLibrary},
+       "Motors, propellers, batteries, airframes: shipped ones and yours", "library", openLibrary},
       {"toolPropellerEditor", "&Propeller editor…", "draw-bezier-curves",
        "Chord, twist and sections of a blade on a chart, with its coefficients live",
-       openPropellerEditor},
+       "propeller-editor", openPropellerEditor},
       {"toolDataSheet", "Motor from a &data sheet…", "accessories-calculator",
-       "What follows from the data sheets of a motor, a propeller and a battery", openDataSheet},
+       "What follows from the data sheets of a motor, a propeller and a battery", "data-sheet",
+       openDataSheet},
       {"toolPerformance", "&Performance of the vehicle…", "view-statistics",
-       "What the vehicle lifts, how long and how fast it flies, and what limits it",
+       "What the vehicle lifts, how long and how fast it flies, and what limits it", "performance",
        openPerformance},
       {"toolImport", "&Import measured data…", "document-import",
-       "Adds the log of a stand or a tunnel to the charts", openImport},
+       "Adds the log of a stand or a tunnel to the charts", "measured-data", openImport},
       {"toolFit", "&Fit to measurement…", "office-chart-line",
-       "Finds motor, propeller or rotor constants from measured data, with intervals", openFit},
+       "Finds motor, propeller or rotor constants from measured data, with intervals",
+       "measured-data", openFit},
       {"toolResiduals", "Compare with &measurement…", "view-statistics",
-       "Shows how far a run is from measured data", openResiduals},
+       "Shows how far a run is from measured data", "measured-data", openResiduals},
   };
   return kTools;
 }
