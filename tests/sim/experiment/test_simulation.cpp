@@ -96,7 +96,7 @@ void TestSimulation::progressRisesToOne() {
       [](auto& setup) {
         if constexpr (requires { setup.run.duration; }) {
           setup.run.duration = std::min(setup.run.duration, 2.0);
-        } else {
+        } else if constexpr (requires { setup.duration; }) {
           setup.duration = std::min(setup.duration, 2.0);
         }
       },
