@@ -16,10 +16,10 @@ struct ControlModel {
   Eigen::Matrix3d inertia, inverseInertia;
   /// Rotor thrusts (N) to [thrust along z; moments about x, y, z at the centre of mass].
   Eigen::Matrix<double, 4, N> effect;
-  std::array<double, N> thrustFactor;  ///< N s^2: thrust per speed squared, about hover
-  std::array<double, N> torqueFactor;  ///< N m s^2
-  std::array<double, N> maxThrust;     ///< N, what motor and supply can hold at rest
-  std::array<double, N> rotorInertia;  ///< kg m^2
+  std::array<double, N> thrustFactor;    ///< N s^2: thrust per speed squared, about hover
+  std::array<double, N> torqueFactor;    ///< N m s^2
+  std::array<double, N> maxThrust;       ///< N, what motor and supply can hold at rest
+  std::array<double, N> rotorInertia;    ///< kg m^2
   std::array<MotorConstants, N> motors;  ///< with the resistance of their speed controllers
 };
 

@@ -48,19 +48,19 @@ struct SectionConstants {
   double liftSlope = 6.53;             ///< 1/rad at Re 1e5
   double liftSlopeReynolds = 0.017;    ///< the slope goes with exp(this L)
   double zeroLift = -0.0584;           ///< rad, zero-lift angle at Re 1e5 of a blade of kChordOfFit
-  double zeroLiftReynolds = -0.01394;   ///< rad per L
-  double zeroLiftChord = 0.2457;        ///< rad per c/R beyond kChordOfFit
-  double slowFlyerCamber = 0.0485;       ///< rad, taken off the zero-lift angle of slow-flyer blades
-  double stallLift = 1.564;             ///< lift at positive stall and Re 1e5
-  double stallLiftReynolds = 0.1724;    ///< the stall lift goes with exp(this L)
-  double negativeStallLift = 0.7216;    ///< lift at negative stall, as a positive number
+  double zeroLiftReynolds = -0.01394;  ///< rad per L
+  double zeroLiftChord = 0.2457;       ///< rad per c/R beyond kChordOfFit
+  double slowFlyerCamber = 0.0485;     ///< rad, taken off the zero-lift angle of slow-flyer blades
+  double stallLift = 1.564;            ///< lift at positive stall and Re 1e5
+  double stallLiftReynolds = 0.1724;   ///< the stall lift goes with exp(this L)
+  double negativeStallLift = 0.7216;   ///< lift at negative stall, as a positive number
   double stallWidth = 0.0508;          ///< rad over which the flow separates
-  double stallDelay = 6.859;            ///< times (c/r)^2: share of the lost lift won by rotation
+  double stallDelay = 6.859;           ///< times (c/r)^2: share of the lost lift won by rotation
   double stallDelayLimit = 0.95;       ///< largest such share
-  double stallDelayFade = 0.7335;       ///< rad, angle at which the delay has faded to one half
-  double profileDrag = 0.01633;         ///< drag of attached flow at Re 1e5
+  double stallDelayFade = 0.7335;      ///< rad, angle at which the delay has faded to one half
+  double profileDrag = 0.01633;        ///< drag of attached flow at Re 1e5
   double profileDragReynolds = -0.3188;  ///< the drag goes with exp(this L)
-  double broadside = kBroadside;     ///< normal-force coefficient at 90 degrees, in separated flow
+  double broadside = kBroadside;  ///< normal-force coefficient at 90 degrees, in separated flow
   double separatedDragFactor = 5.309;  ///< profile drags added to the plate's in separated flow
   bool operator==(const SectionConstants&) const = default;
 };

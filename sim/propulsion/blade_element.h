@@ -31,9 +31,9 @@ struct AirState {
 
 /// How finely and with which momentum factor a propeller is solved.
 struct BladeElementSettings {
-  int elements = 24;              ///< annuli of equal width
+  int elements = 24;               ///< annuli of equal width
   double momentumFactor = 0.7423;  ///< k, 1: ideal inflow
-  int azimuths = 12;              ///< directions of a blade in oblique flow
+  int azimuths = 12;               ///< directions of a blade in oblique flow
   bool operator==(const BladeElementSettings&) const = default;
 };
 

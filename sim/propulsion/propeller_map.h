@@ -21,7 +21,7 @@ namespace rotorbench {
 
 /// The grid of a map. More points make it more exact and slower to build, not slower to use.
 struct PropellerMapSettings {
-  int directions = 421;        ///< from straight descent to straight climb, -90 to 90 degrees
+  int directions = 721;        ///< from straight descent to straight climb, -90 to 90 degrees
   int reynoldsNumbers = 20;    ///< spread evenly over the logarithm
   double leastReynolds = 1e4;  ///< rho U R/mu; below and above the range the nearest end holds
   double mostReynolds = 1e7;

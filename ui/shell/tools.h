@@ -23,10 +23,10 @@ struct ToolContext {
 };
 
 struct Tool {
-  const char* name;  ///< object name of the action
-  const char* text;  ///< in the menu
-  const char* icon;  ///< of the icon theme
-  const char* help;  ///< one line for the status bar
+  const char* name;   ///< object name of the action
+  const char* text;   ///< in the menu
+  const char* icon;   ///< of the icon theme
+  const char* help;   ///< one line for the status bar
   const char* topic;  ///< page of the help that F1 opens in its dialog
   void (*open)(const ToolContext&);
 };

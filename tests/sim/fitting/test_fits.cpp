@@ -223,12 +223,10 @@ void TestFits::propeller() {
   real.twistOffset = 1.5 * std::numbers::pi / 180;
   std::get<AnalyticSection>(real.sections.front().model).constants.profileDrag *= 1.3;
   const BladeElementRotor rotor(real, setup.settings);
-  MeasuredTable table{"tunnel",
-                      {{"over_advance.j", "1", {}},
-                       {"motor.speed", "rad/s", {}},
-                       {"ct", "1", {}},
-                       {"cp", "1", {}}},
-                      std::vector<std::vector<double>>(4)};
+  MeasuredTable table{
+      "tunnel",
+      {{"over_advance.j", "1", {}}, {"motor.speed", "rad/s", {}}, {"ct", "1", {}}, {"cp", "1", {}}},
+      std::vector<std::vector<double>>(4)};
   for (int i = 0; i < 10; ++i) {
     const double j = flown ? 0.06 * i : 0, w = (flown ? 5000 : 2500 + 400 * i) * kRpm;
     const double n = w / (2 * std::numbers::pi), d = real.diameter;

@@ -131,7 +131,8 @@ void TestBrokenCsv::survives() {
 
 void TestBrokenCsv::aVeryLongLine() {
   std::string text = "time [s],thrust [N]\n0,1\n";
-  text += std::string(std::size_t{3} << 20, '7') + "\n1,2\n";
+  text.append(std::size_t{3} << 20, '7');
+  text += "\n1,2\n";
   const TextLines lines = TextLines::fromBytes(text, "a.csv");
   const ImportResult result = importTable(lines, guessSettings(lines));
   QVERIFY(result.usable());

@@ -50,9 +50,9 @@ class TestMeasuredPropeller : public QObject {
   /// Half-way between two speeds is the mean; slower and faster than any the nearest holds.
   void speedsAreInterpolated() {
     const CoefficientTable table(of({{300, 0, 0.10, 0.04},
-                                  {300, 0.5, 0.04, 0.03},
-                                  {500, 0, 0.12, 0.05},
-                                  {500, 0.5, 0.06, 0.04}}));
+                                     {300, 0.5, 0.04, 0.03},
+                                     {500, 0, 0.12, 0.05},
+                                     {500, 0.5, 0.06, 0.04}}));
     QVERIFY(std::abs(coefficients(table, 400, 0).first - 0.11) < 1e-12);
     QVERIFY(std::abs(coefficients(table, 400, 0.5).second - 0.035) < 1e-12);
     QVERIFY(std::abs(coefficients(table, 10, 0.5).first - 0.04) < 1e-12);
@@ -62,9 +62,9 @@ class TestMeasuredPropeller : public QObject {
   /// A static test beside a tunnel's: at rest the static values hold, in the stream those of the tunnel.
   void staticTestCompletesACurve() {
     const CoefficientTable table(of({{400, 0.2, 0.10, 0.045},
-                                  {401, 0.6, 0.02, 0.025},
-                                  {200, 0, 0.11, 0.047},
-                                  {600, 0, 0.13, 0.051}}));
+                                     {401, 0.6, 0.02, 0.025},
+                                     {200, 0, 0.11, 0.047},
+                                     {600, 0, 0.13, 0.051}}));
     QVERIFY(std::abs(coefficients(table, 400.5, 0).first - 0.12) < 1e-4);
     QVERIFY(std::abs(coefficients(table, 600, 0).first - 0.13) < 1e-12);
     QVERIFY(std::abs(coefficients(table, 200, 0).second - 0.047) < 1e-12);
