@@ -57,6 +57,16 @@ PoseReader::PoseReader(const SceneModel& model, const Recording& recording)
   using Names2 = std::array<std::string, 2>;
   using Names3 = std::array<std::string, 3>;
   using Names4 = std::array<std::string, 4>;
+  onStand_ = model.onStand;
+  if (onStand_) {
+    for (const char* name : {"motor.speed", "speed"}) {
+      const auto channel = recording.find(name);
+      if (channel && speed_.empty()) speed_ = {*channel};
+    }
+    if (const auto channel = recording.find("thrust")) thrust_ = {*channel};
+    valid_ = !speed_.empty();
+    return;
+  }
   if (model.elasticArms) {
     hub_ = findAll(recording, Names4{"body1.y", "body1.z", "body2.y", "body2.z"});
     planar_ = true;
@@ -84,6 +94,11 @@ ScenePose PoseReader::at(double t) const {
   if (!valid_ || recording_->rows() == 0) return pose;
   const std::size_t row = rowAt(*recording_, t);
   const auto read = [&](std::size_t channel) { return recording_->value(channel, row); };
+  if (onStand_) {
+    pose.rotorSpeed = {read(speed_.front())};
+    if (!thrust_.empty()) pose.rotorThrust = {read(thrust_.front())};
+    return pose;
+  }
   pose.position = readPosition(*recording_, position_, hub_, planar_, row);
   if (!hub_.empty()) {
     // The line through the bodies is the vehicle: its angle about x, and half its length to each side.
@@ -110,7 +125,7 @@ ScenePose PoseReader::at(double t) const {
 
 std::vector<Eigen::Vector3d> PoseReader::trail(double t0, double t1, std::size_t count) const {
   std::vector<Eigen::Vector3d> points;
-  if (!valid_ || count == 0 || recording_->rows() == 0 || t1 < t0) return points;
+  if (!valid_ || onStand_ || count == 0 || recording_->rows() == 0 || t1 < t0) return points;
   const std::size_t first = recording_->lowerBound(t0);
   const std::size_t last = rowAt(*recording_, t1);
   if (first > last) return points;

@@ -1,8 +1,5 @@
 #include "sim/experiment/scene_model.h"
 
-#include <cmath>
-#include <numbers>
-
 #include "sim/experiment/experiment.h"
 #include "sim/experiment/propeller_scene.h"
 #include "sim/vehicle/vehicle_parameters.h"
@@ -10,22 +7,6 @@
 namespace rotorbench {
 
 namespace {
-
-using std::numbers::pi;
-
-/// Blade of a propeller known by its diameter only: the planform and constant geometric pitch of a typical
-/// moulded 10x4.5 propeller, for drawing and nothing else.
-std::vector<DrawnStation> typicalBlade(double radius) {
-  constexpr double kPitchPerDiameter = 0.45;
-  std::vector<DrawnStation> stations;
-  for (int i = 0; i <= 12; ++i) {
-    const double x = 0.12 + 0.88 * i / 12.0;
-    const double chord = 0.18 * std::sqrt(std::max(0.0, 1 - std::pow((x - 0.35) / 0.68, 2)));
-    stations.push_back(
-        {x * radius, std::max(0.03, chord) * radius, std::atan(kPitchPerDiameter / (pi * x))});
-  }
-  return stations;
-}
 
 SceneRotor drawnRotor(const RotorPlacement& placement, double radius, int blades) {
   SceneRotor rotor;
@@ -78,18 +59,25 @@ std::optional<SceneModel> modelOf(const BirotorModel& plant) {
 std::optional<SceneModel> modelOf(const SolverComparison& comparison) {
   return modelOf(comparison.plant);
 }
-/// A motor on its stand: nothing that flies.
-std::optional<SceneModel> modelOf(const MotorBench& /*bench*/) {
+/// The propeller of a stand; a brake or a free shaft is nothing to look at.
+std::optional<SceneModel> modelOf(const DriveStand& stand) {
+  if (const auto* load = std::get_if<BladeElementLoad>(&stand.load))
+    return standScene(load->propeller);
+  if (const auto* load = std::get_if<PropellerLoad>(&stand.load))
+    return standScene(load->diameter / 2);
   return std::nullopt;
 }
-std::optional<SceneModel> modelOf(const PropellerBench& /*bench*/) {
-  return std::nullopt;
+std::optional<SceneModel> modelOf(const MotorBench& bench) {
+  return modelOf(bench.stand);
 }
-std::optional<SceneModel> modelOf(const ThrustStand& /*stand*/) {
-  return std::nullopt;
+std::optional<SceneModel> modelOf(const ThrustStand& stand) {
+  return modelOf(stand.stand);
 }
-std::optional<SceneModel> modelOf(const MotorSpeedRun& /*run*/) {
-  return std::nullopt;
+std::optional<SceneModel> modelOf(const MotorSpeedRun& run) {
+  return modelOf(run.stand);
+}
+std::optional<SceneModel> modelOf(const PropellerBench& bench) {
+  return standScene(std::get<BladeElementSpecimen>(bench.propeller).geometry);
 }
 std::optional<SceneModel> modelOf(const BirotorMotion& motion) {
   return modelOf(motion.plant);

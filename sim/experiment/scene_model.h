@@ -37,6 +37,7 @@ struct SceneModel {
   std::vector<SceneRotor> rotors;
   bool elasticArms = false;  ///< hubs move in the body frame: take them from the pose
   double fullThrust = 1;     ///< N, scales the thrust arrows
+  bool onStand = false;      ///< stays where it is: one rotor that turns
 };
 
 /// Everything that moves, at one instant.
@@ -69,6 +70,7 @@ class PoseReader {
   const Recording* recording_;
   bool valid_ = false;
   bool planar_ = false;
+  bool onStand_ = false;
   std::vector<std::size_t> position_, attitude_, setPoint_, speed_, thrust_, hub_;
 };
 

@@ -2,6 +2,7 @@
 #include <QTest>
 #include <limits>
 
+#include "sim/experiment/propeller_scene.h"
 #include "tests/ui/scene/scene_fixture.h"
 
 using namespace rotorbench;
@@ -64,6 +65,28 @@ class TestPoseReader : public QObject {
     QVERIFY(near(reader.at(0).position, Vector3d::Zero()));
     recording.publish();
     QVERIFY(near(reader.at(0).position, Vector3d(5, 0, 0)));
+  }
+
+  /// A propeller on a stand has a speed and a thrust and stays where it is.
+  void standTurnsAndStays_data() {
+    QTest::addColumn<QString>("channel");
+    QTest::addRow("thrust stand") << "motor.speed";
+    QTest::addRow("propeller bench") << "speed";
+  }
+  void standTurnsAndStays() {
+    QFETCH(QString, channel);
+    Recording recording(
+        {{"time", "s", ""}, {channel.toStdString(), "rad/s", ""}, {"thrust", "N", ""}});
+    fill(recording, {{0, 100, 1}, {1, 500, 7}});
+    const SceneModel model = standScene(PropellerGeometry{});
+    const PoseReader reader(model, recording);
+    QVERIFY(reader.valid());
+    const ScenePose pose = reader.at(2);
+    QVERIFY(near(pose.position, Vector3d::Zero()));
+    QCOMPARE(pose.rotorSpeed, std::vector<double>{500});
+    QCOMPARE(pose.rotorThrust, std::vector<double>{7});
+    QVERIFY(reader.trail(0, 2, 10).empty());
+    QCOMPARE(model.rotors.front().stations.back().radius, PropellerGeometry{}.diameter / 2);
   }
 
   void planarVehicleTurnsAboutX() {
