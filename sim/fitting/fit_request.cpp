@@ -99,9 +99,9 @@ void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
                {ShaftTorque::FromThrust, "from-thrust", "From the thrust",
                 "Thrust times torque per thrust."},
                {ShaftTorque::None, "none", "None", "Nothing on the shaft."}});
-  b.number("torquePerThrust", &R::torquePerThrust, "Torque per thrust", "k_m/k_f", "m")
+  b.number("torquePerThrust", &R::torquePerThrust, "Torque per thrust", "\u03ba", "m")
       .range(schema::atLeast(0), schema::upTo(10))
-      .help("Used where the torque is taken from the thrust.");
+      .help("k_m/k_f, used where the torque is taken from the thrust.");
   b.choice("duty", &R::duty, "Duty",
            std::vector<schema::Named<DutyFrom>>{
                {DutyFrom::Throttle, "throttle", "The throttle",

@@ -143,14 +143,15 @@ QWidget* FitDialog::buildResults() {
   output_->setAccessibleName(tr("Quantity on the chart"));
   connect(output_, &QComboBox::currentIndexChanged, this, &FitDialog::showOutput);
   chart_->setObjectName("fitChart");
-  auto* below = new QWidget;
-  auto* column = new QVBoxLayout(below);
+  pictures_ = new QWidget;
+  pictures_->hide();  // nothing to show before the first fit
+  auto* column = new QVBoxLayout(pictures_);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(output_, 0, Qt::AlignLeft);
   column->addWidget(chart_, 1);
   auto* results = new QSplitter(Qt::Vertical);
   results->addWidget(table_);
-  results->addWidget(below);
+  results->addWidget(pictures_);
   results->setChildrenCollapsible(false);
   results->setSizes({240, 360});
   return results;
@@ -287,6 +288,7 @@ void FitDialog::showResult() {
   table_->resizeColumnsToContents();
   const QSignalBlocker quiet(output_);
   output_->clear();
+  pictures_->setVisible(result.usable());
   if (result.usable()) {
     for (const FitOutput& o : outcome_->problem.outputs) output_->addItem(toQString(o.label));
   }

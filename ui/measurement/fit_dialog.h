@@ -93,6 +93,7 @@ class FitDialog : public QDialog {
   QTableWidget* table_;
   ChartPane* chart_;
   QProgressBar* bar_;
+  QWidget* pictures_ = nullptr;  ///< chart and its box
   QPushButton *run_ = nullptr, *cancel_ = nullptr, *use_ = nullptr, *save_ = nullptr;
 };
 

@@ -54,7 +54,12 @@ PropellerEditor::PropellerEditor(DocumentModel& model, QWidget* parent)
     : QDialog(parent),
       model_(model),
       units_(nullptr),
-      context_{&model, &units_, plainLocale(), {}, {}, {}},
+      context_{&model,
+               &units_,
+               plainLocale(),
+               {},
+               componentHooks(model, *this).has,
+               componentHooks(model, *this).pick},
       picker_(new QComboBox),
       form_(new ParameterForm(context_)),
       curves_(new BladeCurves),
@@ -62,9 +67,6 @@ PropellerEditor::PropellerEditor(DocumentModel& model, QWidget* parent)
       figures_(new PropellerFigures),
       message_(new QLabel) {
   setObjectName("propellerEditor");
-  ComponentHooks library = componentHooks(model, *this);
-  context_.hasComponents = std::move(library.has);
-  context_.pickComponent = std::move(library.pick);
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Propeller editor"));
   resize(1180, 760);

@@ -34,16 +34,18 @@ DataSheetDialog::DataSheetDialog(DocumentModel& experiment, QWidget* parent)
       experiment_(experiment),
       sheet_(makeDocument(dataSheetOf(experiment.as<Experiment>()).value_or(DataSheet{}))),
       units_(&unitSettings_),
-      context_{&sheet_, &units_, plainLocale(), {}, {}, {}},
+      context_{&sheet_,
+               &units_,
+               plainLocale(),
+               {},
+               componentHooks(sheet_, *this).has,
+               componentHooks(sheet_, *this).pick},
       form_(new ParameterForm(context_)),
       table_(new FigureTable(FigureTable::Detail::Formula)),
       chart_(new ThrottleChart),
       target_(new QLabel),
       result_([this] { return prepare(); }, [this](const Result& result) { showResult(result); }) {
   setObjectName("dataSheetDialog");
-  ComponentHooks library = componentHooks(sheet_, *this);
-  context_.hasComponents = std::move(library.has);
-  context_.pickComponent = std::move(library.pick);
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Motor from a data sheet"));
   resize(1080, 720);

@@ -78,6 +78,7 @@ void PerformanceDialog::build() {
   title_->setObjectName("performanceTitle");
   title_->setTextFormat(Qt::PlainText);
   title_->setWordWrap(true);
+  title_->setText(tr("Working out the sheet…"));  // a map of a propeller takes a second or two
   form_->showSection({});
   form_->setMinimumWidth(250);
   auto* panes = new QSplitter(Qt::Horizontal);
