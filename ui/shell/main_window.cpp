@@ -4,6 +4,7 @@
 #include <QCloseEvent>
 #include <QDialog>
 #include <QDir>
+#include <QFileInfo>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
@@ -16,6 +17,7 @@
 #include "sim/experiment/resources.h"
 #include "ui/forms/help_table.h"
 #include "ui/forms/problems_panel.h"
+#include "ui/measurement/import_dialog.h"
 #include "ui/shell/chart_binding.h"
 #include "ui/shell/export_dialog.h"
 #include "ui/shell/gallery.h"
@@ -35,6 +37,12 @@ namespace {
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kThemeKey = "window/theme";
 constexpr int kMessageMilliseconds = 8000;
+
+/// By the ending; whatever else is dropped is taken for an experiment.
+bool isMeasuredData(const QString& file) {
+  static const QStringList endings{"csv", "txt", "tsv", "log", "dat"};
+  return endings.contains(QFileInfo(file).suffix().toLower());
+}
 
 QString autosaveFolder() {
   return QStandardPaths::writableLocation(QStandardPaths::AppDataLocation) + "/autosave";
@@ -319,7 +327,19 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
   event->acceptProposedAction();
-  openFile(event->mimeData()->urls().front().toLocalFile());
+  const QString file = event->mimeData()->urls().front().toLocalFile();
+  if (isMeasuredData(file)) return importData(file);
+  openFile(file);
+}
+
+/// Measured data dropped on the window: the same dialog as by the menu, with the file in it.
+void MainWindow::importData(const QString& file) {
+  showWorkbench();
+  auto* dialog = new ImportDialog(runs_, this);
+  connect(dialog, &ImportDialog::imported, this, &MainWindow::say);
+  dialog->open();
+  dialog->openFile(file);
+  answerHelpKey("measured-data");
 }
 
 }  // namespace rotorbench

@@ -49,6 +49,7 @@ class MainWindow : public QMainWindow {
   void connectRunActions();
   void connectTools();
   void answerHelpKey(const QString& topic);
+  void importData(const QString& file);
   void connectViewActions();
   void connectHelpActions();
   void showGallery();

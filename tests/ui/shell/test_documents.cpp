@@ -87,6 +87,7 @@ class TestDocuments : public QObject {
   void badFileIsExplained();
   void recentFiles();
   void droppedFileOpens();
+  void droppedDataAreImported();
   void unsavedPrompt_data();
   void unsavedPrompt();
   void cleanEndLeavesNothing();
@@ -185,6 +186,33 @@ void TestDocuments::droppedFileOpens() {
   QDropEvent drop({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window, &drop);
   QTRY_COMPARE(window.documents().file(), file);
+}
+
+void TestDocuments::droppedDataAreImported() {
+  QFile file(folder_->filePath("stand.csv"));
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write("Time (s),Thrust (N)\n0,1\n1,2\n2,4\n");
+  file.close();
+  MainWindow window;
+  showWindow(window);
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file.fileName())});
+  QDropEvent drop({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &drop);
+  auto* dialog = window.findChild<QDialog*>("importDialog");
+  QVERIFY(dialog != nullptr && dialog->isVisible());
+  QPushButton* import = nullptr;
+  for (auto* button : dialog->findChildren<QPushButton*>()) {
+    if (button->text().contains("Import")) import = button;
+  }
+  QVERIFY(import != nullptr);
+  QTRY_VERIFY(import->isEnabled());
+  QTest::mouseClick(import, Qt::LeftButton);
+  QCOMPARE(window.runs().records().size(), std::size_t{1});
+  QVERIFY(window.runs().records().front().measured);
+  const Recording& recording = *window.runs().records().front().status.outputs.front().recording;
+  QVERIFY(recording.find("thrust").has_value());
+  QCOMPARE(recording.value(*recording.find("thrust"), 2), 4.0);
 }
 
 void TestDocuments::unsavedPrompt_data() {
