@@ -96,9 +96,13 @@ std::string curve(const SvgSeries& series, const Scale& x, const Scale& y) {
     }
     const std::string px = pixel(x.at(point[0])), py = pixel(y.at(point[1]));
     if (series.style == SvgSeries::Style::Points) {
-      dots += "<circle cx=\"" + px + "\" cy=\"" + py + "\" r=\"2.4\"/>";
+      dots.append("<circle cx=\"")
+          .append(px)
+          .append("\" cy=\"")
+          .append(py)
+          .append("\" r=\"2.4\"/>");
     } else {
-      path += (open ? " L" : " M") + px + " " + py;
+      path.append(open ? " L" : " M").append(px).append(" ").append(py);
     }
     open = true;
   }

@@ -146,7 +146,6 @@ CaseResult drivesOnSteps(const fs::path& resources) {
   CaseResult result;
   Table constants{"Fitted constants", {"Motor"}, {}};
   constants.header.insert(constants.header.end(), kConstantHeads.begin(), kConstantHeads.end());
-  StepErrors most;
   for (std::size_t i = 0; i < kLogs.size(); ++i) {
     auto points = readSteps(table, static_cast<int>(i));
     if (kLogs.at(i).lastIsWrong) points.pop_back();
