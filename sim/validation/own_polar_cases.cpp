@@ -112,7 +112,8 @@ CaseResult fullScalePropeller(const fs::path& resources) {
   result.method =
       "Propeller C of NACA TR-594: 3.054 m, three blades, Clark Y. Its own XFOIL polar at a "
       "Reynolds "
-      "number of 500 000 and the global momentum factor; nothing is fitted to it. Root of the mean "
+      "number of 500 000 and the global momentum factor, which was chosen with this figure in "
+      "view. Root of the mean "
       "square difference over all advance ratios, in percent of the measured static value.";
   result.sources = {
       "T. Theodorsen, G. W. Stickle, M. J. Brevoort, Characteristics of Six Propellers Including "

@@ -118,7 +118,8 @@ CaseResult thrustStand(const std::filesystem::path& resources) {
   result.title = "Thrust stand: SunnySky X2216 1100 KV with an APC 10 x 4.7 SF";
   result.method =
       "Motor constants as published with the log, the propeller's measured geometry and the global "
-      "constants; nothing is fitted. At full throttle the model is given the logged voltage and "
+      "constants, which were chosen with these limits in view. At full throttle the model is given "
+      "the logged voltage and "
       "finds speed, thrust and current. Below it the duty the controller made of its signal is "
       "not known (it gives full power from about 1740 \u00b5s on): the model takes the duty that "
       "gives "
