@@ -85,7 +85,9 @@ void findNames(const std::vector<Cut>& cuts, CsvLayout& layout) {
   // Lines of words right below the names are units or dashes; a row with one number is a row.
   std::size_t start = names + 1;
   while (start < row && cuts[start].numbers == 0) ++start;
-  layout.skippedLines = static_cast<int>(cuts[start].line - cuts[names].line) - 1;
+  // Where no row has the usual width, the table ends with the last line looked at.
+  const std::size_t begins = start < cuts.size() ? cuts[start].line : cuts.back().line + 1;
+  layout.skippedLines = static_cast<int>(begins - cuts[names].line) - 1;
 }
 
 /// A decimal comma where some cells are numbers only with it and none has a point.

@@ -1,5 +1,6 @@
 #include "ui/library/component_list.h"
 
+#include <QApplication>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>

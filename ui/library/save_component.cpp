@@ -7,7 +7,7 @@
 namespace rotorbench {
 
 void askToSaveComponent(const Component& component, QWidget* owner,
-                        std::function<void(const QString&)> done) {
+                        const std::function<void(const QString&)>& done) {
   const ComponentLibrary library(shippedLibraryDirectory(), ownLibraryDirectory());
   const ComponentKind& kind = *kindOf(*component.type);
   ComponentInfo info = component.info;

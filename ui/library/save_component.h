@@ -14,6 +14,6 @@ namespace rotorbench {
 /// Opens the question beside `owner`, filled with what the component says of itself; an empty name becomes "My motor". `done` gets
 /// one sentence once it is saved.
 void askToSaveComponent(const Component& component, QWidget* owner,
-                        std::function<void(const QString&)> done);
+                        const std::function<void(const QString&)>& done);
 
 }  // namespace rotorbench

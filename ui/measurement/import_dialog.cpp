@@ -111,6 +111,11 @@ void ImportDialog::build() {
   connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
+// A path that loses the focus while its dialog is taken apart is not to be opened.
+ImportDialog::~ImportDialog() {
+  file_->disconnect(this);
+}
+
 // Enter in the path opens the file; it must not import what was open before.
 void ImportDialog::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;

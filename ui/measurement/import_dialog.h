@@ -25,6 +25,7 @@ class ImportDialog : public QDialog {
 
  public:
   explicit ImportDialog(RunList& runs, QWidget* parent = nullptr);
+  ~ImportDialog() override;
 
   /// Reads the file and guesses what it holds, or takes what was chosen for such a file before.
   void openFile(const QString& file);
