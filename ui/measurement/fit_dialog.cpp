@@ -319,7 +319,7 @@ void FitDialog::showOutput() {
 
 void FitDialog::say(const QString& sentence) {
   message_->setText(sentence);
-  emit done(sentence);
+  emit reported(sentence);
 }
 
 void FitDialog::use() {

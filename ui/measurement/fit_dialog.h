@@ -40,7 +40,7 @@ class FitDialog : public QDialog {
 
  signals:
   /// One sentence of what was done with the fit.
-  void done(const QString& sentence);
+  void reported(const QString& sentence);
 
  private:
   struct Measured {

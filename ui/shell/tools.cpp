@@ -1,5 +1,6 @@
 #include "ui/shell/tools.h"
 
+#include <QCoreApplication>
 #include <QObject>
 
 #include "ui/library/library_dialog.h"
@@ -51,7 +52,7 @@ void openImport(const ToolContext& context) {
 
 void openFit(const ToolContext& context) {
   auto* dialog = new FitDialog(context.documents.model(), context.runs, context.window);
-  QObject::connect(dialog, &FitDialog::done, context.window, context.say);
+  QObject::connect(dialog, &FitDialog::reported, context.window, context.say);
   dialog->show();
 }
 
