@@ -197,6 +197,9 @@ void TestDocuments::droppedDataAreImported() {
   showWindow(window);
   QMimeData data;
   data.setUrls({QUrl::fromLocalFile(file.fileName())});
+  QDragEnterEvent enter({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(&window, &enter);
+  QVERIFY(enter.isAccepted());
   QDropEvent drop({50, 50}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window, &drop);
   auto* dialog = window.findChild<QDialog*>("importDialog");
