@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/units.h"
 #include "sim/fitting/provenance.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
@@ -45,13 +46,15 @@ std::shared_ptr<const Recording> seriesOf(const FitProblem& problem, std::size_t
   }
   std::ranges::sort(points);
   const FitOutput& what = problem.outputs[output];
+  // In the units a person reads: nothing but this chart sees the recording.
+  const double xFactor = unitFactor(problem.abscissaUnit, problem.abscissaShown);
+  const double yFactor = unitFactor(what.unit, what.shown);
   MeasuredTable table;
-  table.channels = {{"x", problem.abscissaUnit, problem.abscissa},
-                    {"value", what.unit, what.label}};
+  table.channels = {{problem.abscissa, problem.abscissaShown, ""}, {what.label, what.shown, ""}};
   table.columns.resize(2);
   for (const auto& [x, y] : points) {
-    table.columns[0].push_back(x);
-    table.columns[1].push_back(y);
+    table.columns[0].push_back(x / xFactor);
+    table.columns[1].push_back(y / yFactor);
   }
   return recordingOf(table);
 }
@@ -272,12 +275,12 @@ void FitDialog::showResult() {
     before.halfWidth.reset();
     before.determined = true;
     add({toQString(p.parameter.label),
-         toQString(numberIn(before.value, p.parameter.unit, p.parameter.shown)),
-         toQString(valueText(p)), toQString(p.remark)});
+         prettyUnit(toQString(numberIn(before.value, p.parameter.unit, p.parameter.shown))),
+         prettyUnit(toQString(valueText(p))), toQString(p.remark)});
   }
   for (const FittedOutput& o : result.outputs) {
     const auto shown = [&](double value) {
-      return toQString(numberIn(value, o.output.unit, o.output.shown));
+      return prettyUnit(toQString(numberIn(value, o.output.unit, o.output.shown)));
     };
     add({tr("RMSE of %1").arg(toQString(o.output.label).toLower()), shown(o.rmseBefore),
          shown(o.rmseAfter),
@@ -307,8 +310,8 @@ void FitDialog::showOutput() {
                    .arg(output_->currentText(), toQString(problem.abscissa).toLower())
                    .toStdString();
   spec.kind = ChartKind::XY;
-  spec.x.assign(1, 'x');
-  spec.channels = "value";
+  spec.x = problem.abscissa;
+  spec.channels = problem.outputs[chosen].label;
   chart_->setSpec(spec);
   chartRuns_.setRuns(
       {{"fitted", tr("Fitted"), runColor(0), seriesOf(problem, chosen, &outcome_->result.predicted),

@@ -68,7 +68,7 @@ class TestImportDialog : public QObject {
   void brokenFiles();
   void layoutIsCorrected();
   void quantityAndUnitAreChosen();
-  void pictures();
+  void gigabyteLongLine();
 
  private:
   QString write(const QString& name, const QByteArray& text) const;
@@ -180,15 +180,15 @@ void TestImportDialog::quantityAndUnitAreChosen() {
   QVERIFY(std::abs(recording.value(1, 1) - 0.4 * 9.80665) < 1e-12);
 }
 
-/// A picture of the dialog where ROTORBENCH_PICTURES names a folder, to be looked at.
-void TestImportDialog::pictures() {
-  Opened opened(kLog);
-  QVERIFY(opened.dialog->sizeHint().width() < 1280);
-  const QString folder = qEnvironmentVariable("ROTORBENCH_PICTURES");
-  if (folder.isEmpty()) QSKIP("no folder for pictures");
-  QVERIFY(opened.dialog->grab().save(folder + "/import.png"));
-  opened.dialog->resize(opened.dialog->minimumSizeHint());
-  QVERIFY(opened.dialog->grab().save(folder + "/import-small.png"));
+/// A line of a gigabyte is refused at once, and the dialog goes on with the next file.
+void TestImportDialog::gigabyteLongLine() {
+  const QString huge = write("huge.csv", "time [s],thrust [N]\n0,1\n");
+  std::filesystem::resize_file(huge.toStdString(), std::uintmax_t{1} << 30);
+  Opened opened(huge);
+  QVERIFY2(opened.report().contains("64 MiB"), qPrintable(opened.report()));
+  QVERIFY(!opened.ok()->isEnabled());
+  opened.dialog->openFile(write("small.csv", "time [s],thrust [N]\n0,1\n1,2\n"));
+  QTRY_VERIFY2(opened.ok()->isEnabled(), qPrintable(opened.report()));
 }
 
 QTEST_MAIN(TestImportDialog)

@@ -213,6 +213,10 @@ void TestDocuments::droppedDataAreImported() {
   QTest::mouseClick(import, Qt::LeftButton);
   QCOMPARE(window.runs().records().size(), std::size_t{1});
   QVERIFY(window.runs().records().front().measured);
+  // On the charts, beside whatever is computed.
+  const auto& shown = window.workbench().runSet().runs();
+  QCOMPARE(shown.size(), std::size_t{1});
+  QVERIFY(shown.front().visible && shown.front().measured);
   const Recording& recording = *window.runs().records().front().status.outputs.front().recording;
   QVERIFY(recording.find("thrust").has_value());
   QCOMPARE(recording.value(*recording.find("thrust"), 2), 4.0);
