@@ -159,7 +159,7 @@ class TestRotorModels : public QObject {
     const PropellerMap map(exact);
     const ObliqueErrors level = obliqueErrors(exact, map, {-1.0, 0.0, 1.7, 4.1});
     const ObliqueErrors sink = obliqueErrors(exact, map, {-6.0, -3.3});
-    QVERIFY(level.thrust < 0.025 && level.torque < 0.03 && level.inPlane < 0.006 &&
+    QVERIFY(level.thrust < 0.025 && level.torque < 0.03 && level.inPlane < 0.005 &&
             level.moment < 0.013);
     QVERIFY(sink.thrust < 0.06 && sink.torque < 0.08 && sink.inPlane < 0.01 && sink.moment < 0.02);
   }
