@@ -115,6 +115,8 @@ void ChartPane::updateHint() {
     hint = tr("Press Run (F5) to fill this chart.");
   } else if (curves_.curves.empty()) {
     hint = tr("The shown runs have no channel %1.").arg(QString::fromStdString(spec_.channels));
+    const QString reason = runs_->reasonOfAbsence(splitPatterns(spec_.channels));
+    if (!reason.isEmpty()) hint += u' ' + reason;
   }
   plot_->setHint(hint);
 }
