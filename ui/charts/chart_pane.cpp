@@ -96,7 +96,7 @@ void ChartPane::takeCurves() {
     const QString unit = prettyUnit(curve.y().unit);
     QString tip = QString::fromStdString(curve.y().description);
     if (!unit.isEmpty()) tip += QStringLiteral(" [%1]").arg(unit);
-    entries.push_back({curve.label, tip.trimmed(), curve.style, curve.hidden,
+    entries.push_back({curve.label, curve.shortLabel, tip.trimmed(), curve.style, curve.hidden,
                        QString::fromStdString(curve.y().name)});
   }
   legend_->setEntries(entries);
