@@ -48,7 +48,7 @@ std::map<QString, QString> toldApart(const QStringList& names, const QRegularExp
       return p.size() > 1 && end(p) == end(parts.front());
     };
     while (std::ranges::all_of(parts, spare)) {
-      for (QStringList& p : parts) first ? p.removeFirst() : p.removeLast();
+      for (QStringList& p : parts) p.removeAt(first ? 0 : p.size() - 1);
     }
   };
   removeCommon(true);

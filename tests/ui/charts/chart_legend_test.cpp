@@ -99,7 +99,7 @@ class ChartLegendTest : public QObject {
     QCOMPARE(b.items().size(), twoRuns ? std::size_t{6} : std::size_t{3});
     QStringList names;
     int bottom = 0;
-    for (const LegendItem* item : b.items()) {
+    for (LegendItem* item : b.items()) {
       const LegendPlace& place = item->place();
       const QString name = paintedName(*item);
       names << name;
@@ -127,8 +127,7 @@ class ChartLegendTest : public QObject {
         QVERIFY(place.cells >= 1 && place.cells <= (cursors == 1 ? 1 : 3));
       }
       // What is there is painted, line by line and the last cell.
-      auto* shown = const_cast<LegendItem*>(item);
-      const QImage image = shown->grab().toImage();
+      const QImage image = item->grab().toImage();
       const int step = item->heightOf({});  // one line
       for (int i = 0; i < place.lines.size(); ++i)
         QVERIFY(isPainted(image, {28, i * step + 2, item->widthOf(place.lines[i]) - 34, step - 4}));
