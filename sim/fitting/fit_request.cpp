@@ -1,6 +1,17 @@
 #include "sim/fitting/fit_request.h"
 
+#include "sim/core/number_text.h"
+
 namespace rotorbench {
+
+namespace {
+
+/// A; 0 where none is given and the experiment has none.
+double limitOf(const MotorFitRequest& request, const FitStart& start) {
+  return request.currentLimit > 0 ? request.currentLimit : start.currentLimit;
+}
+
+}  // namespace
 
 MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
   MotorFitSetup setup;
@@ -10,6 +21,8 @@ MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
   setup.torqueCoefficient = start.torqueCoefficient;
   setup.torquePerThrust = request.torquePerThrust;
   setup.duty = request.duty;
+  setup.nearLimit = request.nearLimit;
+  if (request.leaveOutLimited) setup.currentLimit = limitOf(request, start);
   setup.fitSpeedConstant = request.speedConstant;
   setup.fitResistance = request.resistance;
   setup.fitNoLoadCurrent = request.noLoadCurrent;
@@ -45,7 +58,11 @@ struct Missing {
   const MeasuredTable& table;
   const FitStart& start;
   std::vector<std::string> operator()(const MotorFitRequest& r) const {
-    return missingForMotorFit(table, setupOf(r, start));
+    std::vector<std::string> missing = missingForMotorFit(table, setupOf(r, start));
+    if (r.leaveOutLimited && !(limitOf(r, start) > 0)) {
+      missing.emplace_back("The experiment has no current limit; give the one of the stand.");
+    }
+    return missing;
   }
   std::vector<std::string> operator()(const PropellerFitRequest& r) const {
     return missingForPropellerFit(table, setupOf(r, start));
@@ -74,6 +91,20 @@ struct ProblemOf {
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start) {
   return std::visit(Missing{table, start}, request.what);
+}
+
+std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
+                            const FitStart& start) {
+  const auto* motor = std::get_if<MotorFitRequest>(&request.what);
+  if (motor == nullptr) return {};
+  MotorFitSetup setup = setupOf(*motor, start);
+  setup.currentLimit = limitOf(*motor, start);
+  if (!(setup.currentLimit > 0) || !missingFor(request, table, start).empty()) return {};
+  const MotorFitRows rows = motorFitRows(table, setup);
+  if (rows.limited == 0 && !motor->leaveOutLimited) return {};
+  return std::to_string(rows.limited) + " of " + std::to_string(rows.used + rows.limited) +
+         " rows " + (motor->leaveOutLimited ? "are left out" : "could be left out") +
+         ": they are at or near the current limit of " + numberText(setup.currentLimit) + " A.";
 }
 
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start) {
@@ -109,6 +140,17 @@ void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
                {DutyFrom::FullThrottle, "full-throttle", "1 at full throttle, else unknown",
                 "A speed controller with a curve of its own."},
                {DutyFrom::Unknown, "unknown", "Unknown", "Found from the speed in each row."}});
+  b.boolean("leaveOutLimited", &R::leaveOutLimited, "Leave out rows at the current limit")
+      .help("There the speed controller gives less than the throttle asks for.");
+  b.number("currentLimit", &R::currentLimit, "Current limit", "i_max", "A")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help(
+          "Of the motor current. 0: the smaller one of the experiment's motor and speed "
+          "controller.");
+  b.number("nearLimit", &R::nearLimit, "Near the limit from", "", "1")
+      .range(schema::above(0), schema::upTo(1))
+      .shownIn("%")
+      .help("Part of the limit from which a row, and all of more throttle, are left out.");
 }
 
 void Describe<PropellerFitRequest>::fields(schema::Builder<PropellerFitRequest>& b) {

@@ -19,6 +19,9 @@ struct MotorFitRequest {
   ShaftTorque torque = ShaftTorque::Propeller;
   double torquePerThrust = 0.015;  ///< m
   DutyFrom duty = DutyFrom::Throttle;
+  bool leaveOutLimited = false;  ///< rows at or near the current limit
+  double currentLimit = 0;       ///< A, of the motor; 0: that of the experiment
+  double nearLimit = 0.9;        ///< part of the limit
   bool operator==(const MotorFitRequest&) const = default;
 };
 
@@ -48,6 +51,7 @@ struct FitRequest {
 struct FitStart {
   MotorParameters motor;
   double escResistance = 0;         ///< Ohm
+  double currentLimit = 0;          ///< A, of the motor current; 0: not known
   double torqueCoefficient = 1e-7;  ///< k_m, N m s^2
   double thrustCoefficient = 1e-5;  ///< k_f, N s^2
   PropellerGeometry propeller;
@@ -61,6 +65,10 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start);
 /// What the table lacks, one sentence each; empty if the fit can be done.
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start);
+/// How many rows a motor fit leaves out at the current limit, or could leave out; empty for other fits, where a limit is
+/// not known, and where something is missing.
+std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
+                            const FitStart& start);
 /// Throws InputError with those sentences.
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start);
 
