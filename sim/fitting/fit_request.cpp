@@ -4,15 +4,6 @@
 
 namespace rotorbench {
 
-namespace {
-
-/// A; 0 where none is given and the experiment has none.
-double limitOf(const MotorFitRequest& request, const FitStart& start) {
-  return request.currentLimit > 0 ? request.currentLimit : start.currentLimit;
-}
-
-}  // namespace
-
 MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
   MotorFitSetup setup;
   setup.start = start.motor;
@@ -21,8 +12,6 @@ MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
   setup.torqueCoefficient = start.torqueCoefficient;
   setup.torquePerThrust = request.torquePerThrust;
   setup.duty = request.duty;
-  setup.nearLimit = request.nearLimit;
-  if (request.leaveOutLimited) setup.currentLimit = limitOf(request, start);
   setup.fitSpeedConstant = request.speedConstant;
   setup.fitResistance = request.resistance;
   setup.fitNoLoadCurrent = request.noLoadCurrent;
@@ -54,12 +43,32 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start) {
 
 namespace {
 
+/// A; 0 where none is given and the experiment has none.
+double limitOf(const LimitedRows& limited, const FitStart& start) {
+  return limited.currentLimit > 0 ? limited.currentLimit : start.currentLimit;
+}
+
+/// The setup of a motor fit that leaves out the limited rows, whether it is asked to or not.
+MotorFitSetup limitedSetup(const MotorFitRequest& request, const LimitedRows& limited,
+                           const FitStart& start) {
+  MotorFitSetup setup = setupOf(request, start);
+  setup.currentLimit = limitOf(limited, start);
+  setup.nearLimit = limited.nearLimit;
+  return setup;
+}
+
+MotorFitSetup motorSetup(const MotorFitRequest& request, const LimitedRows& limited,
+                         const FitStart& start) {
+  return limited.leaveOut ? limitedSetup(request, limited, start) : setupOf(request, start);
+}
+
 struct Missing {
   const MeasuredTable& table;
   const FitStart& start;
+  const LimitedRows& limited;
   std::vector<std::string> operator()(const MotorFitRequest& r) const {
-    std::vector<std::string> missing = missingForMotorFit(table, setupOf(r, start));
-    if (r.leaveOutLimited && !(limitOf(r, start) > 0)) {
+    std::vector<std::string> missing = missingForMotorFit(table, motorSetup(r, limited, start));
+    if (limited.leaveOut && !(limitOf(limited, start) > 0)) {
       missing.emplace_back("The experiment has no current limit; give the one of the stand.");
     }
     return missing;
@@ -75,8 +84,9 @@ struct Missing {
 struct ProblemOf {
   const MeasuredTable& table;
   const FitStart& start;
+  const LimitedRows& limited;
   FitProblem operator()(const MotorFitRequest& r) const {
-    return motorFitProblem(table, setupOf(r, start));
+    return motorFitProblem(table, motorSetup(r, limited, start));
   }
   FitProblem operator()(const PropellerFitRequest& r) const {
     return propellerFitProblem(table, setupOf(r, start));
@@ -90,25 +100,26 @@ struct ProblemOf {
 
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start) {
-  return std::visit(Missing{table, start}, request.what);
+  return std::visit(Missing{table, start, request.limited}, request.what);
 }
 
 std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
                             const FitStart& start) {
   const auto* motor = std::get_if<MotorFitRequest>(&request.what);
   if (motor == nullptr) return {};
-  MotorFitSetup setup = setupOf(*motor, start);
-  setup.currentLimit = limitOf(*motor, start);
-  if (!(setup.currentLimit > 0) || !missingFor(request, table, start).empty()) return {};
+  const MotorFitSetup setup = limitedSetup(*motor, request.limited, start);
+  if (!(setup.currentLimit > 0) || !missingForMotorFit(table, setupOf(*motor, start)).empty())
+    return {};
   const MotorFitRows rows = motorFitRows(table, setup);
-  if (rows.limited == 0 && !motor->leaveOutLimited) return {};
+  const bool leaveOut = request.limited.leaveOut;
+  if (rows.limited == 0 && !leaveOut) return {};
   return std::to_string(rows.limited) + " of " + std::to_string(rows.used + rows.limited) +
-         " rows " + (motor->leaveOutLimited ? "are left out" : "could be left out") +
+         " rows " + (leaveOut ? "are left out" : "could be left out") +
          ": they are at or near the current limit of " + numberText(setup.currentLimit) + " A.";
 }
 
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start) {
-  return std::visit(ProblemOf{table, start}, request.what);
+  return std::visit(ProblemOf{table, start, request.limited}, request.what);
 }
 
 void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
@@ -140,17 +151,6 @@ void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
                {DutyFrom::FullThrottle, "full-throttle", "1 at full throttle, else unknown",
                 "A speed controller with a curve of its own."},
                {DutyFrom::Unknown, "unknown", "Unknown", "Found from the speed in each row."}});
-  b.boolean("leaveOutLimited", &R::leaveOutLimited, "Leave out rows at the current limit")
-      .help("There the speed controller gives less than the throttle asks for.");
-  b.number("currentLimit", &R::currentLimit, "Current limit", "i_max", "A")
-      .range(schema::atLeast(0), schema::upTo(1e4))
-      .help(
-          "Of the motor current. 0: the smaller one of the experiment's motor and speed "
-          "controller.");
-  b.number("nearLimit", &R::nearLimit, "Near the limit from", "", "1")
-      .range(schema::above(0), schema::upTo(1))
-      .shownIn("%")
-      .help("Part of the limit from which a row, and all of more throttle, are left out.");
 }
 
 void Describe<PropellerFitRequest>::fields(schema::Builder<PropellerFitRequest>& b) {
@@ -185,12 +185,29 @@ void Describe<RotorFitRequest>::fields(schema::Builder<RotorFitRequest>& b) {
       .help("In which was measured.");
 }
 
+void Describe<LimitedRows>::fields(schema::Builder<LimitedRows>& b) {
+  using R = LimitedRows;
+  b.title("limited-rows", "Rows at the current limit",
+          "There a motor gets less than the throttle asks for. For motor constants only.");
+  b.boolean("leaveOut", &R::leaveOut, "Leave them out");
+  b.number("currentLimit", &R::currentLimit, "Current limit", "i_max", "A")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help(
+          "Of the motor current. 0: the smaller one of the experiment's motor and speed "
+          "controller.");
+  b.number("nearLimit", &R::nearLimit, "Near the limit from", "", "1")
+      .range(schema::above(0), schema::upTo(1))
+      .shownIn("%")
+      .help("Part of the limit from which a row, and all of more throttle, are left out.");
+}
+
 void Describe<FitRequest>::fields(schema::Builder<FitRequest>& b) {
   b.title("fit", "Fit", "What is to be found from the measured data.",
           "Seber, Wild, Nonlinear Regression, 1989; Ceres Solver");
   b.variant("what", &FitRequest::what, "Fit");
   b.boolean("robust", &FitRequest::robust, "Outliers count less")
       .help("Beyond two sigma a residual counts linearly instead of squared.");
+  b.group("limited", &FitRequest::limited, "Rows at the current limit");
 }
 
 }  // namespace rotorbench

@@ -19,9 +19,6 @@ struct MotorFitRequest {
   ShaftTorque torque = ShaftTorque::Propeller;
   double torquePerThrust = 0.015;  ///< m
   DutyFrom duty = DutyFrom::Throttle;
-  bool leaveOutLimited = false;  ///< rows at or near the current limit
-  double currentLimit = 0;       ///< A, of the motor; 0: that of the experiment
-  double nearLimit = 0.9;        ///< part of the limit
   bool operator==(const MotorFitRequest&) const = default;
 };
 
@@ -41,9 +38,18 @@ struct RotorFitRequest {
   bool operator==(const RotorFitRequest&) const = default;
 };
 
+/// Rows of a motor fit in which the current limit holds the motor back (motor_fit.h).
+struct LimitedRows {
+  bool leaveOut = false;
+  double currentLimit = 0;  ///< A, of the motor; 0: that of the experiment
+  double nearLimit = 0.9;   ///< part of the limit from which a row counts as limited
+  bool operator==(const LimitedRows&) const = default;
+};
+
 struct FitRequest {
   std::variant<MotorFitRequest, PropellerFitRequest, RotorFitRequest> what;
   bool robust = false;
+  LimitedRows limited;
   bool operator==(const FitRequest&) const = default;
 };
 
@@ -83,6 +89,10 @@ struct Describe<PropellerFitRequest> {
 template <>
 struct Describe<RotorFitRequest> {
   static void fields(schema::Builder<RotorFitRequest>& b);
+};
+template <>
+struct Describe<LimitedRows> {
+  static void fields(schema::Builder<LimitedRows>& b);
 };
 template <>
 struct Describe<FitRequest> {

@@ -77,6 +77,7 @@ FitDialog::FitDialog(DocumentModel& experiment, const RunList& runs, QWidget* pa
       form_(new ParameterForm(context_)),
       set_(new QComboBox),
       output_(new QComboBox),
+      rows_(new QLabel),
       message_(new QLabel),
       table_(new QTableWidget(0, 4)),
       chart_(new ChartPane(&chartRuns_, &link_)),
@@ -161,6 +162,9 @@ QWidget* FitDialog::buildResults() {
 }
 
 void FitDialog::buildButtons() {
+  rows_->setObjectName("fitRows");
+  rows_->setAccessibleName(tr("Rows at the current limit"));
+  rows_->setWordWrap(true);
   message_->setObjectName("fitMessage");
   message_->setWordWrap(true);
   message_->setTextFormat(Qt::PlainText);
@@ -185,6 +189,7 @@ void FitDialog::buildButtons() {
   save_ = add("fitSave", tr("&Save to library…"), &FitDialog::save);
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  layout()->addWidget(rows_);
   layout()->addWidget(message_);
   layout()->addWidget(bar_);
   layout()->addWidget(buttons);
@@ -201,9 +206,13 @@ void FitDialog::check() {
   if (measured_.empty()) {
     lines << tr("There are no measured data yet: import them first.");
   } else if (!request_.hasErrors()) {
-    for (const std::string& line : missingFor(request_.as<FitRequest>(), table(), target_.start()))
+    const MeasuredTable measured = table();
+    const FitStart start = target_.start();
+    for (const std::string& line : missingFor(request_.as<FitRequest>(), measured, start))
       lines << toQString(line);
+    rows_->setText(toQString(limitedRowsText(request_.as<FitRequest>(), measured, start)));
   }
+  rows_->setVisible(!rows_->text().isEmpty());
   run_->setEnabled(!running && lines.isEmpty() && !request_.hasErrors());
   cancel_->setEnabled(running);
   use_->setEnabled(!running && component_ && !target_.place(asked_).isEmpty());
