@@ -62,7 +62,7 @@ void MappingTable::show(const CsvPreview& preview, const std::vector<ColumnMappi
     }
     addChoices(c);
   }
-  QStringList headings{tr("Is"), tr("Unit"), tr("Times"), tr("Plus"), tr("From, to")};
+  QStringList headings{tr("Quantity"), tr("Unit"), tr("Scale"), tr("Offset"), tr("Range")};
   for (int r = 1; r <= rows; ++r) headings << QString::number(r);
   setVerticalHeaderLabels(headings);
   verticalHeaderItem(kScaleRow)->setToolTip(
