@@ -138,7 +138,9 @@ QWidget* FitDialog::buildResults() {
   table_->setAccessibleName(tr("Fitted values"));
   table_->setHorizontalHeaderLabels({tr("Quantity"), tr("Before"), tr("Fitted"), tr("Remark")});
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);  // remarks wrap
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
@@ -288,6 +290,7 @@ void FitDialog::showResult() {
          prettyUnit(toQString(valueText(p))), toQString(p.remark)});
   }
   for (const FittedOutput& o : result.outputs) {
+    if (o.count == 0) continue;
     const auto shown = [&](double value) {
       return prettyUnit(toQString(numberIn(value, o.output.unit, o.output.shown)));
     };
@@ -297,12 +300,12 @@ void FitDialog::showResult() {
              ? tr("R² %1 over %2 values").arg(locale.toString(o.rSquared, 'f', 4)).arg(o.count)
              : tr("%1 values").arg(o.count)});
   }
-  table_->resizeColumnsToContents();
   const QSignalBlocker quiet(output_);
   output_->clear();
   pictures_->setVisible(result.usable());
-  if (result.usable()) {
-    for (const FitOutput& o : outcome_->problem.outputs) output_->addItem(toQString(o.label));
+  for (std::size_t i = 0; result.usable() && i < result.outputs.size(); ++i) {
+    const FittedOutput& o = result.outputs[i];
+    if (o.count > 0) output_->addItem(toQString(o.output.label), static_cast<int>(i));
   }
   showOutput();
 }
@@ -312,7 +315,7 @@ void FitDialog::showOutput() {
     chartRuns_.setRuns({});
     return;
   }
-  const auto chosen = static_cast<std::size_t>(output_->currentIndex());
+  const auto chosen = static_cast<std::size_t>(output_->currentData().toInt());
   const FitProblem& problem = outcome_->problem;
   ChartSpec spec;
   spec.title = tr("%1 over %2")
