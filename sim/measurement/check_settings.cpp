@@ -4,7 +4,6 @@
 #include <set>
 
 #include "sim/core/number_text.h"
-#include "sim/core/units.h"
 #include "sim/measurement/csv_import.h"
 
 namespace rotorbench {

@@ -1,7 +1,6 @@
 #include "sim/measurement/propeller_blocks.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/core/number_text.h"
 #include "sim/io/csv_cells.h"

@@ -154,7 +154,11 @@ void ImportDialog::openFile(const QString& file) {
   propeller_->setNames({toQString(title), name_->text()}, file);
   const ImportSettings guessed = guessSettings(*lines_);
   guessed_ = previewOf(*lines_, guessed.layout);
-  takeSettings(rememberedSettings(guessed_).value_or(guessed));
+  ImportSettings settings = rememberedSettings(guessed_).value_or(guessed);
+  // The same columns may stand below other lines than last time.
+  if (!checkSettings(settings, previewOf(*lines_, settings.layout)).empty())
+    settings.layout = guessed.layout;
+  takeSettings(settings);
 }
 
 void ImportDialog::takeSettings(const ImportSettings& settings) {

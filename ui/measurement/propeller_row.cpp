@@ -7,9 +7,11 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/error.h"
 #include "sim/fitting/coefficient_points.h"
 #include "sim/library/component.h"
 #include "sim/measurement/propeller_blocks.h"

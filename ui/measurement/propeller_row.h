@@ -19,8 +19,8 @@ class PropellerRow : public QWidget {
  public:
   explicit PropellerRow(QWidget* parent = nullptr);
 
-  /// A file was opened: where its name or its first line, in this order of trust, tell a diameter, it is offered. The words
-  /// of `names` are for the component's name.
+  /// A file was opened. The first of these names, most trusted first, that tells a diameter ("10x4.7") gives it and the
+  /// component's name.
   void setNames(const QStringList& names, const QString& file);
   /// Offers what can be done with this table; keeps a chosen speed it has.
   void show(const MeasuredTable& table);

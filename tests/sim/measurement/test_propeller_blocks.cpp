@@ -4,6 +4,7 @@
 #include <QTest>
 #include <cmath>
 #include <numbers>
+#include <random>
 
 #include "sim/core/error.h"
 #include "sim/fitting/coefficient_points.h"
@@ -50,6 +51,7 @@ class TestPropellerBlocks : public QObject {
   void saysWhatAPropellerNeeds();
   void broken_data();
   void broken();
+  void randomTables();
   void diameters_data();
   void diameters();
 };
@@ -214,6 +216,45 @@ void TestPropellerBlocks::broken() {
     said << QString::fromStdString(error.problems().front().message());
   }
   QCOMPARE(said, QStringList{sentence});
+}
+
+/// Pieces of such files in any order: one sentence or a table with columns of equal length, never a crash.
+void TestPropellerBlocks::randomTables() {
+  const QByteArrayList pieces{"PROP RPM = 5000\n",
+                              "PROP RPM =",
+                              "\n",
+                              " V J Pe Ct Cp\n",
+                              "(mph) (Adv Ratio)",
+                              " 1.0 0.2 0.5 0.1 0.05\n",
+                              "-NaN",
+                              "NaNNaN",
+                              "0.69-NaN",
+                              " ",
+                              "\t",
+                              "(",
+                              ")",
+                              "7",
+                              "\r\n",
+                              "\"",
+                              "8x6 8x\n",
+                              "\xFF"};
+  std::mt19937 random(20261122);
+  int refused = 0, tables = 0;
+  for (int round = 0; round < 3000; ++round) {
+    QByteArray text = round % 2 == 0 ? "8x6\nPROP RPM = 5000\n V J Pe Ct Cp\n" : "";
+    const auto count = random() % 40;
+    for (std::size_t i = 0; i < count; ++i)
+      text += pieces[static_cast<qsizetype>(random() % static_cast<unsigned>(pieces.size()))];
+    try {
+      const ImportResult result = imported(text + "1");
+      for (const auto& column : result.table.columns) QCOMPARE(column.size(), result.table.rows());
+      ++tables;
+    } catch (const InputError& error) {
+      QCOMPARE(error.problems().size(), std::size_t{1});
+      ++refused;
+    }
+  }
+  QVERIFY(refused > 100 && tables > 100);
 }
 
 void TestPropellerBlocks::diameters_data() {

@@ -102,10 +102,11 @@ class TestMeasurementJourney : public QObject {
   void initTestCase();
   void standFromLogToExperiment();
   void propellerFromTableToExperiment();
+  void savedPropellerFlies();
 
  private:
   void importStand(MainWindow& window);
-  void overlay(MainWindow& window);
+  void overlay(MainWindow& window, const QString& chart, const QString& name);
   void residuals(MainWindow& window);
   void fitAndSave(MainWindow& window);
   void pick(MainWindow& window, const QString& path, const QString& name);
@@ -126,7 +127,7 @@ void TestMeasurementJourney::standFromLogToExperiment() {
   clickAction(window, "actionRun");
   QTRY_COMPARE_WITH_TIMEOUT(window.controller().state(), RunState::Finished, 60000);
   importStand(window);
-  overlay(window);
+  overlay(window, "Thrust over throttle", kName);
   residuals(window);
   fitAndSave(window);
   QVERIFY(motorOf(window).speedConstant == 1100 * kRpm);  // saved, not yet used
@@ -170,22 +171,21 @@ void TestMeasurementJourney::importStand(MainWindow& window) {
   QCOMPARE(runs->model()->index(0, 0).data().toString(), kName);
 }
 
-/// The log's thrust stands beside the run's on the chart of the experiment.
-void TestMeasurementJourney::overlay(MainWindow& window) {
-  const ChartPane* pane = paneTitled(window, "Thrust over throttle");
-  QVERIFY(pane != nullptr);
-  QTRY_VERIFY(std::ranges::any_of(pane->runs().runs(), [](const ChartRun& run) {
-    return run.name == kName && run.visible && run.measured;
+/// What was imported stands as marks beside the run on a chart of the experiment, and in its legend.
+void TestMeasurementJourney::overlay(MainWindow& window, const QString& chart,
+                                     const QString& name) {
+  const ChartPane* pane = paneTitled(window, chart);
+  QVERIFY2(pane != nullptr, qPrintable(chart));
+  QTRY_VERIFY(std::ranges::any_of(pane->runs().runs(), [&](const ChartRun& run) {
+    return run.name == name && run.visible && run.measured;
   }));
-  const auto drawn = [&](const QString& run) {
-    const QString csv = paneCsv(*pane);
-    return csv.section('\n', 0, 0).contains(run);
+  QTRY_VERIFY(paneCsv(*pane).section('\n', 0, 0).contains(name));
+  const auto marks = [&] {
+    return std::ranges::count_if(pane->legend()->items(), [](const LegendItem* item) {
+      return item->entry().style.markers && item->isVisible();
+    });
   };
-  QTRY_VERIFY(drawn(kName));
-  QTRY_VERIFY(!pane->legend()->items().empty());
-  QStringList legend;
-  for (const LegendItem* item : pane->legend()->items()) legend << item->entry().label;
-  QVERIFY2(legend.join('\n').contains(kName), qPrintable(legend.join('\n')));
+  QTRY_VERIFY(marks() > 0);
 }
 
 void TestMeasurementJourney::residuals(MainWindow& window) {
@@ -251,18 +251,21 @@ void TestMeasurementJourney::pick(MainWindow& window, const QString& path, const
   QTRY_VERIFY(window.findChild<LibraryDialog*>() == nullptr);
 }
 
-/// A propeller's table in blocks: one curve on the bench's chart, the whole of it as the propeller of a flight.
+/// A propeller's table in blocks: one curve beside the run of a bench, the whole of it as the propeller of a flight.
 void TestMeasurementJourney::propellerFromTableToExperiment() {
   MainWindow window;
   showWindow(window);
-  openCard(window, "battery-flight");
+  openCard(window, "propeller-bench-10x47");
+  choosePace(window, "As fast as possible");
+  clickAction(window, "actionRun");
+  QTRY_COMPARE_WITH_TIMEOUT(window.controller().state(), RunState::Finished, 60000);
   auto* dialog = openTool<ImportDialog>(window, "toolImport");
   QVERIFY(dialog != nullptr);
   type(dialog, "importFile", QStringLiteral(TEST_DATA_DIR "/measurement/PER3_8x6S.dat"));
   QTest::keyClick(dialog->findChild<QLineEdit*>("importFile"), Qt::Key_Return);
-  choose(dialog, "importSpeed", "Curve of 9000 rpm");
+  choose(dialog, "importSpeed", "Curve of 5000 rpm");
   const auto* report = dialog->findChild<QPlainTextEdit*>("importReport");
-  QTRY_VERIFY2(report->toPlainText().startsWith("13 row(s) of over_advance.j"),
+  QTRY_VERIFY2(report->toPlainText().startsWith("15 row(s) of over_advance.j"),
                qPrintable(report->toPlainText()));
   click(dialog, "importSavePropeller");
   ComponentInfoDialog* info = nullptr;
@@ -272,8 +275,31 @@ void TestMeasurementJourney::propellerFromTableToExperiment() {
   QTRY_COMPARE(report->toPlainText(), QString("“Table 8x6” is in the component library."));
   QTest::mouseClick(dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok),
                     Qt::LeftButton);
-  QTRY_COMPARE(window.runs().records().size(), std::size_t{1});
-  pick(window, "setup.vehicle.rotors.rotor.aerodynamics", "Table 8x6");
+  QTRY_VERIFY(window.findChild<ImportDialog*>() == nullptr);
+  overlay(window, "CT, CP and efficiency over J", "PER3_8x6S");
+
+  auto* compare = openTool<ResidualsDialog>(window, "toolResiduals");
+  QVERIFY(compare != nullptr);
+  const auto* table = compare->findChild<QTableWidget*>("residualsTable");
+  // The bench goes to J = 0.8, the table to 0.84.
+  QTRY_COMPARE(cell(*table, "over_advance.ct", 2), QString("14"));
+  compare->close();
+  QTRY_VERIFY(window.findChild<ResidualsDialog*>() == nullptr);
+}
+
+/// The propeller that was saved flies: the library of another window has it.
+void TestMeasurementJourney::savedPropellerFlies() {
+  MainWindow window;
+  showWindow(window);
+  openCard(window, "battery-flight");
+  const QString path = "setup.vehicle.rotors.rotor.aerodynamics";
+  pick(window, path, "Table 8x6");
+  QCOMPARE(std::get<double>(window.documents().model().get(path + ".diameter")), 8 * 0.0254);
+  QVERIFY(!window.documents().model().hasErrors());
+  choosePace(window, "As fast as possible");
+  clickAction(window, "actionRun");
+  QTRY_COMPARE_WITH_TIMEOUT(window.controller().state(), RunState::Finished, 60000);
+  QCOMPARE(window.controller().status().progress.time, 40.0);
 }
 
 QTEST_MAIN(TestMeasurementJourney)
