@@ -38,13 +38,13 @@ AxialLoad BenchedPropeller::axial(double omega, double axialSpeed, const AirStat
   return {l.thrust, l.torque, 0};
 }
 
-ObliqueLoad BenchedPropeller::oblique(double omega, double axialSpeed, double inPlaneSpeed,
-                                      const AirState& air) const {
+EdgewiseLoad BenchedPropeller::oblique(double omega, double axialSpeed, double inPlaneSpeed,
+                                       const AirState& air) const {
   if (const auto* blades = bladeElements())
-    return blades->oblique(omega, axialSpeed, inPlaneSpeed, air);
+    return {blades->oblique(omega, axialSpeed, inPlaneSpeed, air), 0};
   // e1 is the body's x, e2 its y.
   const RotorLoad<double> l = load(omega, {inPlaneSpeed, 0, axialSpeed}, air);
-  return {l.thrust, l.torque, -l.force.x(), l.force.y(), l.moment.x(), -l.moment.y()};
+  return {{l.thrust, l.torque, -l.force.x(), l.moment.x()}, l.moment.y()};
 }
 
 const BladeElementRotor* BenchedPropeller::bladeElements() const {

@@ -10,6 +10,11 @@
 
 namespace rotorbench {
 
+/// Loads in an edgewise stream; blades that flap give one moment more.
+struct EdgewiseLoad : ObliqueLoad {
+  double pitchMoment = 0;  ///< N m about e2 of ObliqueLoad
+};
+
 class BenchedPropeller {
  public:
   /// The propeller must satisfy its schema. A map takes the time to be built, unless it was before.
@@ -22,9 +27,11 @@ class BenchedPropeller {
                                 std::span<ElementLoad> distribution = {}) const;
 
   /// Loads with an in-plane speed of the hub, m/s, and omega, neither negative.
-  [[nodiscard]] ObliqueLoad oblique(double omega, double axialSpeed, double inPlaneSpeed,
-                                    const AirState& air) const;
+  [[nodiscard]] EdgewiseLoad oblique(double omega, double axialSpeed, double inPlaneSpeed,
+                                     const AirState& air) const;
 
+  /// True for the models with a coefficient of flapping; the others have rigid blades.
+  [[nodiscard]] bool flaps() const { return !bladeElements() && !prepared<PropellerMap>(); }
   /// Blade elements; null for other models.
   [[nodiscard]] const BladeElementRotor* bladeElements() const;
 

@@ -49,6 +49,8 @@ std::vector<AbsentChannels> PropellerTrack::absent() const {
          {"along_blade.", "vortex_ring_share", "over_advance.vortex_ring_share"})
       absent.push_back({beginning, reason});
   }
+  if (!propeller_.flaps())
+    absent.push_back({"edgewise.pitch", "The blades of this model are rigid: they do not flap."});
   if (!measured_)
     absent.push_back({"beyond_measured", "Only a measured propeller has limits to go beyond."});
   return absent;
@@ -119,17 +121,17 @@ void PropellerTrack::addCurves(const AddRun& addRun) {
               {"along_blade.dq_dr", "N", "Torque per radius, all blades"}},
              static_cast<int>(alongBlade_.size()), &Track::alongBlade);
   }
-  addCurve(addRun, "Edgewise",
-           {{"edgewise.ratio", "1", "Air speed in the plane of rotation over the tips' speed"},
-            {"edgewise.air_speed", "m/s", "Air speed in the plane of rotation"},
-            {"edgewise.thrust", "N", "Thrust along the axis"},
-            {"edgewise.torque", "N*m", "Torque against the rotation"},
-            {"edgewise.power", "W", "Power on the shaft"},
-            {"edgewise.drag", "N", "In-plane force against the motion of the hub (H-force)"},
-            {"edgewise.side", "N", "In-plane force across the motion of the hub"},
-            {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"},
-            {"edgewise.pitch", "N*m", "Hub moment, thrust along the motion of the hub"}},
-           at_.points, &Track::edgewise);
+  std::vector<Channel> edgewise{
+      {"edgewise.ratio", "1", "Air speed in the plane of rotation over the tips' speed"},
+      {"edgewise.air_speed", "m/s", "Air speed in the plane of rotation"},
+      {"edgewise.thrust", "N", "Thrust along the axis"},
+      {"edgewise.torque", "N*m", "Torque against the rotation"},
+      {"edgewise.power", "W", "Power on the shaft"},
+      {"edgewise.drag", "N", "In-plane force against the motion of the hub (H-force)"},
+      {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"}};
+  if (propeller_.flaps())
+    edgewise.push_back({"edgewise.pitch", "N*m", "Hub moment of the flapping blades"});
+  addCurve(addRun, "Edgewise", std::move(edgewise), at_.points, &Track::edgewise);
 }
 
 bool PropellerTrack::record(double t, double w, double v) {
@@ -194,9 +196,11 @@ void PropellerTrack::alongBlade(Recording& r, double place) {
 void PropellerTrack::edgewise(Recording& r, double place) {
   const double ratio = at_.mostEdgewiseRatio * place;
   const double v = ratio * at_.speed * propeller_.radius();
-  const ObliqueLoad load = propeller_.oblique(at_.speed, at_.airSpeed, v, air_);
-  r.append(std::array{ratio, v, load.thrust, load.torque, load.torque * at_.speed, load.drag,
-                      load.side, load.rollMoment, load.pitchMoment});
+  const EdgewiseLoad load = propeller_.oblique(at_.speed, at_.airSpeed, v, air_);
+  row_.assign(
+      {ratio, v, load.thrust, load.torque, load.torque * at_.speed, load.drag, load.rollMoment});
+  if (propeller_.flaps()) row_.push_back(load.pitchMoment);
+  r.append(row_);
 }
 
 void PropellerTrack::addLimits(std::vector<Metric>& metrics) const {

@@ -249,7 +249,8 @@ class TestBenchModels : public QObject {
     PropellerBench bench;
     const PropellerCoefficients c;
     bench.propeller = c;
-    const RotorCoefficients k;
+    RotorCoefficients k;
+    k.inflow.flapping = 1e-6;
     bench.second = k;
     const auto simulation = finished(experimentOf(bench));
     const Recording& r = run(*simulation, "Over advance ratio, propeller coefficients");
@@ -270,6 +271,8 @@ class TestBenchModels : public QObject {
     QVERIFY(std::abs(value(edge, "edgewise.drag", last) - k.inflow.drag * w * v) < 1e-9);
     QVERIFY(std::abs(value(edge, "edgewise.thrust", last) -
                      (k.thrust * w * w + k.inflow.translationalLift * v * v)) < 1e-9);
+    // Flapping: k_flap w v about e2.
+    QVERIFY(std::abs(value(edge, "edgewise.pitch", last) - k.inflow.flapping * w * v) < 1e-9);
     // Only the first has no inflow loss.
     QCOMPARE(paths(warningsOf(experimentOf(bench))), QStringList{"setup.propeller.inflow.inflow"});
   }
