@@ -55,7 +55,8 @@ struct Shorten {
     if (auto* mapped = std::get_if<MapPropeller>(&rotor.aerodynamics)) {
       coarse(mapped->settings);
       mapped->map.directions = mapped->map.sideDirections = 16;
-      mapped->map.reynoldsNumbers = mapped->map.sideAngles = 4;
+      mapped->map.reynoldsNumbers = mapped->map.sideReynoldsNumbers = mapped->map.sideAngles = 4;
+      mapped->map.sideRefinements = 0;
     }
   }
   void operator()(BirotorMotion& motion) const {
