@@ -19,10 +19,10 @@ struct RootRule {
   bool many = false;    ///< look for several roots
   double softness = 0;  ///< weight of the soft edge, 0 to 1
 
-  /// One root above J = -0.05; several below, the soft edge coming in to -0.2.
+  /// One root above J = -0.1, several below, the soft edge coming in from -0.35 to -0.6.
   static RootRule at(double advance) {
-    constexpr double kSeveral = -0.05, kSoft = -0.2;
-    const double t = std::clamp((advance - kSeveral) / (kSoft - kSeveral), 0.0, 1.0);
+    constexpr double kSeveral = -0.1, kSoftFrom = -0.35, kSoftTo = -0.6;
+    const double t = std::clamp((advance - kSoftFrom) / (kSoftTo - kSoftFrom), 0.0, 1.0);
     return {advance < kSeveral, t * t * (3 - 2 * t)};
   }
 };

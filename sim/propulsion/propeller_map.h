@@ -31,8 +31,7 @@ struct PropellerMapSettings {
   int sideAngles = 16;      ///< coarse, from no in-plane speed to nothing else, 0 to 90 degrees
   int sideReynoldsNumbers = 19;  ///< as `reynoldsNumbers`
   int sideRefinements = 3;       ///< how often directions and side angles may be halved
-  double sideTolerance =
-      8e-4;  ///< of interpolation in edgewise flow, as a part of the static thrust; torque: 5 times
+  double sideTolerance = 5e-4;   ///< there, as a part of the static thrust; torque: 5 times
   bool operator==(const PropellerMapSettings&) const = default;
 };
 

@@ -1,4 +1,4 @@
-// The tabulated propeller against the blade elements it was made of, over all directions of the air, and both under
+// The tabulated propeller against the blade elements it was made of, over all directions of the air, axial and edgewise, and both under
 // the states where a division could go wrong.
 #include <algorithm>
 #include <array>
@@ -20,8 +20,10 @@ constexpr double kReference = 0.75;  // r/R of the air speed
 
 struct MapScore {
   std::string name;
-  double thrust = 0, torque = 0;  ///< greatest differences, % of static
-  int broken = 0, solves = 0;     ///< loads that are no finite number
+  double thrust = 0, torque = 0;     ///< greatest differences in axial flow, % of static
+  std::array<double, 4> edgewise{};  ///< thrust, torque, in-plane force and hub moment, % of static
+  std::vector<std::array<double, 2>> edgewiseThrust, edgewiseTorque;  ///< side angle, degrees, %
+  int broken = 0, solves = 0;  ///< loads that are no finite number
   std::vector<std::array<double, 2>> thrustByAngle, torqueByAngle;  ///< degrees, %
 };
 
@@ -44,6 +46,39 @@ void compare(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& 
     score.torque = std::max(score.torque, torque);
     score.thrustByAngle.push_back({chi, thrust});
     score.torqueByAngle.push_back({chi, torque});
+  }
+}
+
+/// Edgewise flow: directions and side angles off the map's grid, three air speeds.
+void compareEdgewise(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& score) {
+  constexpr double kDegree = kPi / 180, kDirections = 5.3, kSides = 3.7;
+  const AirState air{1.1, 1.9e-5};
+  const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  for (double side = 0.4; side < 90; side += kSides) {
+    std::array<double, 4> most{};
+    for (const double speed : {6.0, 25.0, 100.0}) {
+      const double omega = speed / (kReference * rotor.radius());
+      const AxialLoad still = rotor.axial(omega, 0, air);
+      const double rest = std::cos(side * kDegree), moment = still.thrust * rotor.radius();
+      for (double chi = -89.7; chi < 90; chi += kDirections) {
+        const double w = omega * rest * std::cos(chi * kDegree);
+        const Eigen::Vector3d v(speed * std::sin(side * kDegree), 0,
+                                speed * rest * std::sin(chi * kDegree));
+        const auto exact = rotor.load(w, v, axis, 1, air);
+        const auto mapped =
+            map.load<double, Eigen::Vector3d>(w, v, axis, 1, air.density, air.viscosity);
+        const std::array<double, 4> off{
+            std::abs(mapped.thrust - exact.thrust) / still.thrust,
+            std::abs(mapped.torque - exact.torque) / still.torque,
+            (mapped.force - exact.force).head<2>().norm() / still.thrust,
+            (mapped.moment - exact.moment).head<2>().norm() / moment};
+        for (std::size_t q = 0; q < most.size(); ++q) most[q] = std::max(most[q], 100 * off[q]);
+      }
+    }
+    for (std::size_t q = 0; q < most.size(); ++q)
+      score.edgewise[q] = std::max(score.edgewise[q], most[q]);
+    score.edgewiseThrust.push_back({side, most[0]});
+    score.edgewiseTorque.push_back({side, most[1]});
   }
 }
 
@@ -75,6 +110,7 @@ MapScore scoreOfMap(const PropellerSet& set) {
   MapScore score;
   score.name = set.propeller;
   compare(rotor, map, score);
+  compareEdgewise(rotor, map, score);
   scan(rotor, map, score);
   return score;
 }
@@ -96,33 +132,54 @@ CaseResult mapAgainstBladeElements(const std::filesystem::path& resources) {
   result.title = "Propeller map against blade elements";
   result.method =
       "The map tabulates a propeller once; here it is asked between its grid points, over all "
-      "directions of the air from straight descent to straight climb at five air speeds. Greatest "
-      "difference in percent of the static thrust and torque at that air speed. Then both are "
+      "directions of the air from straight descent to straight climb at five air speeds, and with "
+      "air from the side up to nothing but air from the side. Greatest difference in percent of "
+      "the static thrust and torque at that air speed. Then both are "
       "asked for |J| up to 2, forwards and backwards, at a standstill and without air, and every "
       "answer must be a finite number.";
-  Table table{"By propeller", {"Propeller", "Thrust, %", "Torque, %", "States asked"}, {}};
+  Table table{"By propeller",
+              {"Propeller", "Thrust, %", "Torque, %", "Thrust edgewise, %", "Torque edgewise, %",
+               "In-plane force, %", "Hub moment, %", "States asked"},
+              {}};
   SvgChart thrust{"Map less blade elements, thrust",
                   {"Direction of the air, deg (90: climb)", -90, 90},
                   {"Most, % of static", 0, {}},
                   {}};
   SvgChart torque = thrust;
   torque.title = "Map less blade elements, torque";
+  SvgChart edgewiseThrust{"Map less blade elements, thrust with air from the side",
+                          {"Side angle, deg (90: no speed but in the plane)", 0, 90},
+                          {"Most, % of static", 0, {}},
+                          {}};
+  SvgChart edgewiseTorque = edgewiseThrust;
+  edgewiseTorque.title = "Map less blade elements, torque with air from the side";
   double mostThrust = 0, mostTorque = 0, broken = 0;
+  std::array<double, 4> edgewise{};
   int color = 0;
   for (const MapScore& s : scores) {
     mostThrust = std::max(mostThrust, s.thrust);
     mostTorque = std::max(mostTorque, s.torque);
     broken += s.broken;
-    table.rows.push_back(
-        {s.name, fixed(s.thrust, 3), fixed(s.torque, 3), std::to_string(s.solves)});
+    table.rows.push_back({s.name, fixed(s.thrust, 3), fixed(s.torque, 3), fixed(s.edgewise[0], 3),
+                          fixed(s.edgewise[1], 3), fixed(s.edgewise[2], 3), fixed(s.edgewise[3], 3),
+                          std::to_string(s.solves)});
+    for (std::size_t q = 0; q < edgewise.size(); ++q)
+      edgewise[q] = std::max(edgewise[q], s.edgewise[q]);
+    edgewiseThrust.series.push_back({s.name, SvgSeries::Style::Line, color, s.edgewiseThrust});
+    edgewiseTorque.series.push_back({s.name, SvgSeries::Style::Line, color, s.edgewiseTorque});
     thrust.series.push_back({s.name, SvgSeries::Style::Line, color, s.thrustByAngle});
     torque.series.push_back({s.name, SvgSeries::Style::Line, color++, s.torqueByAngle});
   }
   result.figures = {{"thrust, most", "% of static", mostThrust, 0.2},
                     {"torque, most", "% of static", mostTorque, 1},
+                    {"thrust edgewise, most", "% of static", edgewise[0], 0.2},
+                    {"torque edgewise, most", "% of static", edgewise[1], 1},
+                    {"in-plane force, most", "% of static thrust", edgewise[2], 0.2},
+                    {"hub moment, most", "% of static thrust and radius", edgewise[3], 0.2},
                     {"loads that are no finite number", "1", broken, 0}};
   result.tables = {std::move(table)};
-  result.charts = {std::move(thrust), std::move(torque)};
+  result.charts = {std::move(thrust), std::move(torque), std::move(edgewiseThrust),
+                   std::move(edgewiseTorque)};
   result.sources = {"Blades: UIUC Propeller Database"};
   return result;
 }

@@ -56,7 +56,8 @@ struct Shorten {
           }
           if constexpr (requires { p.map; }) {
             p.map.directions = p.map.sideDirections = 16;
-            p.map.reynoldsNumbers = p.map.sideAngles = 4;
+            p.map.reynoldsNumbers = p.map.sideReynoldsNumbers = p.map.sideAngles = 4;
+            p.map.sideRefinements = 0;
           }
         },
         propeller);

@@ -84,33 +84,61 @@ RotorConstants fetched() {
   return rotor(models()[static_cast<std::size_t>(model)].second);
 }
 
+/// Largest differences between blade elements and map, as parts of static thrust and torque.
 struct ObliqueErrors {
   double thrust = 0, torque = 0, inPlane = 0, moment = 0;
+
+  void compare(const BladeElementRotor& exact, const PropellerMap& map, double w, const Vector3d& v,
+               const AirState& air, const AxialLoad& still) {
+    const auto a = exact.load(w, v, Vector3d::UnitZ(), -1, air);
+    const auto b =
+        map.load<double, Vector3d>(w, v, Vector3d::UnitZ(), -1, air.density, air.viscosity);
+    const double radius = exact.radius();
+    thrust = std::max(thrust, std::abs(a.thrust - b.thrust) / still.thrust);
+    torque = std::max(torque, std::abs(a.torque - b.torque) / still.torque);
+    inPlane = std::max(inPlane, (a.force - b.force).head<2>().norm() / still.thrust);
+    moment = std::max(moment, (a.moment - b.moment).head<2>().norm() / (still.thrust * radius));
+  }
+  /// What the issue asks for: 0.2 % and 1 %. In-plane force and hub moment are held to the thrust's limit.
+  [[nodiscard]] bool small() const {
+    qInfo("thrust %.3f %%, torque %.3f %%, in-plane force %.3f %%, moments %.3f %%", 100 * thrust,
+          100 * torque, 100 * inPlane, 100 * moment);
+    return thrust <= 2e-3 && torque <= 1e-2 && inPlane <= 2e-3 && moment <= 2e-3;
+  }
 };
 
-/// Largest differences over rotor speeds about hover and edgewise speeds.
-ObliqueErrors obliqueErrors(const BladeElementRotor& exact, const PropellerMap& map,
-                            const std::vector<double>& axialSpeeds) {
+/// Rotor speeds about hover, climb and sink, edgewise flight to 20 m/s; static thrust at the same rotor speed.
+ObliqueErrors errorsInFlight(const BladeElementRotor& exact, const PropellerMap& map) {
   const AirState air{kDensity, kAirViscosity};
   const double hover = 66 / exact.radius();  // tip speed of the default propeller in hover
   ObliqueErrors e;
   for (const double w : {0.7 * hover, hover, 1.4 * hover}) {
     const AxialLoad still = exact.axial(w, 0, air);
-    for (const double axial : axialSpeeds) {
-      for (const double side : {0.3, 1.0, 2.5, 4.0, 7.0, 11.0, 15.0, 20.0}) {
-        const Vector3d v(side * 0.6, side * 0.8, axial);
-        const auto a = exact.load(w, v, Vector3d::UnitZ(), -1, air);
-        const auto b = map.load<double, Vector3d>(w, v, Vector3d::UnitZ(), -1, kDensity);
-        e.thrust = std::max(e.thrust, std::abs(a.thrust - b.thrust) / still.thrust);
-        e.torque = std::max(e.torque, std::abs(a.torque - b.torque) / still.torque);
-        e.inPlane = std::max(e.inPlane, (a.force - b.force).head<2>().norm() / still.thrust);
-        e.moment = std::max(
-            e.moment, (a.moment - b.moment).head<2>().norm() / (still.thrust * exact.radius()));
-      }
+    for (const double axial : {-6.0, -3.3, -1.0, 0.0, 1.7, 4.1}) {
+      for (const double side : {0.05, 0.3, 1.0, 2.5, 4.0, 7.0, 11.0, 15.0, 20.0})
+        e.compare(exact, map, w, {side * 0.6, side * 0.8, axial}, air, still);
     }
   }
-  qInfo("thrust %.3f %%, torque %.3f %%, in-plane force %.3f %%, moments %.3f %%", 100 * e.thrust,
-        100 * e.torque, 100 * e.inPlane, 100 * e.moment);
+  return e;
+}
+
+/// All directions of the air and Reynolds numbers, spread evenly and off the grid: from straight descent to straight
+/// climb, from no in-plane speed to nothing else; static thrust at the same air speed. Thin air.
+ObliqueErrors errorsEverywhere(const BladeElementRotor& exact, const PropellerMap& map) {
+  constexpr int kStates = 2000;
+  // Steps of a lattice that fills the cube (M. Roberts, R3: powers of the inverse of 1.2207..., root of x^4 = x + 1).
+  constexpr double kSteps[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
+  const AirState air{1.1, 1.9e-5};
+  const double radius = exact.radius();
+  ObliqueErrors e;
+  for (int i = 1; i <= kStates; ++i) {
+    const auto part = [&](int k) { return std::fmod(0.5 + i * kSteps[k], 1.0); };
+    const double chi = (part(0) - 0.5) * pi, side = part(1) * pi / 2;
+    const double speed = 1e4 * std::pow(1e3, part(2)) * air.viscosity / (air.density * radius);
+    const double hover = speed / (0.75 * radius), rest = speed * std::cos(side);
+    e.compare(exact, map, hover * std::cos(side) * std::cos(chi),
+              {speed * std::sin(side), 0, rest * std::sin(chi)}, air, exact.axial(hover, 0, air));
+  }
   return e;
 }
 
@@ -146,22 +174,32 @@ class TestRotorModels : public QObject {
     QVERIFY(worstThrust < thrust && worstTorque < torque);
   }
 
-  /// Edgewise flight to 20 m/s: map against blade elements, as fractions of the static thrust and torque. In climb, level
-  /// flight and slow sink closely; in the vortex ring state and near it, where the inflow is empirical, roughly.
+  /// Map against blade elements with air from the side: in flight, and over the whole map.
   void mapFollowsObliqueFlow_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"apcsf_10x4.7", "apce_10x5", "gwsdd_4x2.5"})
+    for (const char* name : {"apcsf_10x4.7", "da4052_9x8.95", "gwsdd_4x2.5"})
       QTest::addRow("%s", name) << name;
   }
   void mapFollowsObliqueFlow() {
     QFETCH(QString, name);
     const BladeElementRotor exact(uiuc::propeller(name));
     const PropellerMap map(exact);
-    const ObliqueErrors level = obliqueErrors(exact, map, {-1.0, 0.0, 1.7, 4.1});
-    const ObliqueErrors sink = obliqueErrors(exact, map, {-6.0, -3.3});
-    QVERIFY(level.thrust < 0.025 && level.torque < 0.03 && level.inPlane < 0.005 &&
-            level.moment < 0.013);
-    QVERIFY(sink.thrust < 0.06 && sink.torque < 0.08 && sink.inPlane < 0.01 && sink.moment < 0.02);
+    QVERIFY(errorsInFlight(exact, map).small());
+    QVERIFY(errorsEverywhere(exact, map).small());
+  }
+  /// No step in the load where the axial table ends: hover and a breath of wind.
+  void sidewindSetsInSmoothly() {
+    const RotorConstants r = rotor(MapPropeller{});
+    for (const double climb : {-2.0, 0.0, 3.0}) {
+      const auto still = loadOf(r, kHover, {0, 0, climb});
+      double last = 0;
+      for (const double side : {1e-9, 1e-6, 1e-3, 0.05}) {
+        const auto l = loadOf(r, kHover, {side, 0, climb});
+        const double change = (l.force - still.force).norm() / still.thrust;
+        QVERIFY(change >= last && change < 1e-2 * side);
+        last = change;
+      }
+    }
   }
 
   void finiteEverywhere_data() { addModels(); }
@@ -217,10 +255,12 @@ class TestRotorModels : public QObject {
       const bool mapped = count++ % 20 == 0;
       std::optional<PropellerMap> map;
       if (mapped)
-        map.emplace(
-            exact,
-            PropellerMapSettings{
-                .directions = 121, .reynoldsNumbers = 8, .sideDirections = 16, .sideAngles = 4});
+        map.emplace(exact, PropellerMapSettings{.directions = 121,
+                                                .reynoldsNumbers = 8,
+                                                .sideDirections = 16,
+                                                .sideAngles = 4,
+                                                .sideReynoldsNumbers = 4,
+                                                .sideRefinements = 0});
       const double area = pi * exact.radius() * exact.radius();
       for (const double tip : {5.0, 20.0, 60.0, 150.0}) {
         const double w = tip / exact.radius();
