@@ -105,4 +105,25 @@ std::string inQuotes(std::string_view text) {
   return out;
 }
 
+std::string shortNumber(double value, int digits) {
+  if (std::isnan(value)) return "\u2013";
+  if (std::isinf(value)) return value > 0 ? "\u221e" : "-\u221e";
+  // Below and above these powers of ten digits are easier to read with an exponent.
+  constexpr int kLeastFixed = -4, kMostFixed = 6;
+  const int power =
+      value == 0 ? 0 : static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-12));
+  std::array<char, 64> text{};
+  const bool fixed = power >= kLeastFixed && power <= kMostFixed;
+  const auto end = fixed ? std::to_chars(text.data(), text.data() + text.size(), value,
+                                         std::chars_format::fixed, std::max(0, digits - 1 - power))
+                         : std::to_chars(text.data(), text.data() + text.size(), value,
+                                         std::chars_format::scientific, digits - 1);
+  std::string number(text.data(), end.ptr);
+  if (fixed && number.find('.') != std::string::npos) {
+    number.erase(number.find_last_not_of('0') + 1);
+    if (number.back() == '.') number.pop_back();
+  }
+  return number;
+}
+
 }  // namespace rotorbench

@@ -1,6 +1,7 @@
-// Propeller bench: a propeller alone, turned at a speed laid down over time in an axial stream laid down over time
-// (thesis 2014, figures 3.19-3.20), and beside the run in time its curves: over the speed, over the advance ratio, along
-// the blade, over an edgewise stream. Loads are quasi-steady: the induced velocity follows at once.
+// Propeller bench: a propeller alone, by any of the rotor models a flight can use, turned at a speed laid down over time
+// in an axial stream laid down over time (thesis 2014, figures 3.19-3.20), and beside the run in time its curves: over
+// the speed, over the advance ratio, over an edgewise stream and, by blade elements, along the blade. A second propeller,
+// or the same by another model, can go through the same. Loads are quasi-steady: the induced velocity follows at once.
 // Axial speed positive in climb, m/s; speeds in rad/s; SI throughout.
 #pragma once
 
@@ -11,7 +12,7 @@
 #include "sim/core/schema.h"
 #include "sim/experiment/prescribed_inputs.h"
 #include "sim/experiment/simulation.h"
-#include "sim/propulsion/blade_element.h"
+#include "sim/propulsion/rotor_models.h"
 
 namespace rotorbench {
 
@@ -22,6 +23,15 @@ struct BladeElementSpecimen {
   PropellerGeometry geometry;
   BladeElementSettings settings;
   bool operator==(const BladeElementSpecimen&) const = default;
+};
+
+/// Any propeller of the bench: the models of RotorAerodynamics.
+using BenchPropeller = std::variant<BladeElementSpecimen, MapPropeller, MeasuredPropeller,
+                                    PropellerCoefficients, RotorCoefficients>;
+
+/// No second propeller beside the first.
+struct NoPropeller {
+  bool operator==(const NoPropeller&) const = default;
 };
 
 struct PropellerSpeedRow {
@@ -64,7 +74,10 @@ struct PropellerRunSettings {
 };
 
 struct PropellerBench {
-  std::variant<BladeElementSpecimen> propeller;
+  BenchPropeller propeller;
+  std::variant<NoPropeller, BladeElementSpecimen, MapPropeller, MeasuredPropeller,
+               PropellerCoefficients, RotorCoefficients>
+      second;                     ///< in the same run, to be compared
   double airDensity = 1.225;      ///< kg/m^3
   double airViscosity = 1.81e-5;  ///< Pa s
   std::vector<PropellerSpeedRow> speeds{{0, 0}, {1.5, 837.7580409572781}};
@@ -75,12 +88,21 @@ struct PropellerBench {
   bool operator==(const PropellerBench&) const = default;
 };
 
+/// The propellers on the bench, one or two.
+std::vector<BenchPropeller> propellersOn(const PropellerBench& bench);
+/// The same as a flight takes it.
+RotorAerodynamics aerodynamicsOf(const BenchPropeller& propeller);
+
 std::unique_ptr<Simulation> buildPropellerBench(const PropellerBench& bench,
                                                 const OutputSettings& outputs);
 
 template <>
 struct Describe<BladeElementSpecimen> {
   static void fields(schema::Builder<BladeElementSpecimen>& b);
+};
+template <>
+struct Describe<NoPropeller> {
+  static void fields(schema::Builder<NoPropeller>& b);
 };
 template <>
 struct Describe<PropellerSpeedRow> {

@@ -1,5 +1,10 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <string>
 
+#include "sim/core/number_text.h"
+#include "sim/core/schema_tree.h"
 #include "sim/experiment/propeller_bench.h"
 
 namespace rotorbench {
@@ -22,7 +27,101 @@ void checkTimes(const std::vector<Row>& rows, const std::string& name,
   }
 }
 
+std::string rpm(double speed) {
+  return numberText(std::round(speed * 30 / std::numbers::pi)) + " rpm";
+}
+std::string ratio(double advance) {
+  return numberText(std::round(advance * 1000) / 1000);
+}
+
+/// A measured propeller's limits against the speeds asked for.
+void checkSpeeds(const PropellerBench& p, const CoefficientTable::Limits& limits,
+                 std::vector<Problem>& problems) {
+  const std::string measured =
+      "measured from " + rpm(limits.leastSpeed) + " to " + rpm(limits.mostSpeed);
+  if (p.curves.topSpeed <= limits.leastSpeed) {
+    problems.push_back({"curves.topSpeed", "the propeller is measured above this speed only",
+                        "more than " + rpm(limits.leastSpeed)});
+  } else if (p.curves.topSpeed > limits.mostSpeed) {
+    problems.push_back({"curves.topSpeed",
+                        "the curve of the measured propeller ends at " + rpm(limits.mostSpeed),
+                        measured, true});
+  }
+  if (p.curves.speed < limits.leastSpeed || p.curves.speed > limits.mostSpeed) {
+    problems.push_back({"curves.speed",
+                        "no coefficients were measured at this speed, those of the nearest hold",
+                        measured, true});
+  }
+  const auto fast = std::ranges::find_if(
+      p.speeds, [&](const auto& row) { return std::abs(row.speed) > limits.mostSpeed; });
+  if (fast != p.speeds.end()) {
+    problems.push_back({"speeds[" + std::to_string(fast - p.speeds.begin()) + "].speed",
+                        "is faster than the propeller was measured; the coefficients of " +
+                            rpm(limits.mostSpeed) + " hold",
+                        measured, true});
+  }
+}
+
+/// A measured propeller's limits against the advance ratios asked for.
+void checkAdvance(const PropellerCurves& curves, const CoefficientTable::Limits& limits,
+                  std::vector<Problem>& problems) {
+  const std::string measured = "measured from J = " + ratio(limits.leastAdvance) + " to " +
+                               ratio(limits.mostAdvance) + " at this speed";
+  if (std::max(curves.leastAdvanceRatio, limits.leastAdvance) >=
+      std::min(curves.mostAdvanceRatio, limits.mostAdvance)) {
+    problems.push_back({"curves.mostAdvanceRatio",
+                        "between the advance ratios of the curve nothing was measured", measured});
+    return;
+  }
+  const auto warn = [&](const char* path, const char* verb, double at) {
+    problems.push_back(
+        {path, std::string("the curve of the measured propeller ") + verb + " at J = " + ratio(at),
+         measured, true});
+  };
+  if (curves.leastAdvanceRatio < limits.leastAdvance)
+    warn("curves.leastAdvanceRatio", "begins", limits.leastAdvance);
+  if (curves.mostAdvanceRatio > limits.mostAdvance)
+    warn("curves.mostAdvanceRatio", "ends", limits.mostAdvance);
+}
+
+/// What a measured propeller cannot answer.
+void checkMeasured(const PropellerBench& p, const MeasuredPropeller& propeller,
+                   std::vector<Problem>& problems) {
+  // Rules are asked of documents with faults too, and no table can be made of points that have some.
+  const auto faults = schema::validate(schema::ref(propeller));
+  if (std::ranges::any_of(faults, [](const Problem& f) { return !f.warning; })) return;
+  const CoefficientTable::Limits limits = CoefficientTable(propeller).limits(p.curves.speed);
+  checkSpeeds(p, limits, problems);
+  checkAdvance(p.curves, limits, problems);
+}
+
+/// The curves of a lumped propeller over J, if nothing says what climb does to it.
+void checkLumped(const RotorInflow& inflow, const std::string& path,
+                 std::vector<Problem>& problems) {
+  if (inflow.inflow != 0) return;
+  problems.push_back({path + ".inflow.inflow",
+                      "without an inflow loss the coefficients at rest hold at every advance ratio",
+                      "above 0, or another model for the curves over J", true});
+}
+
+struct CheckPropeller {
+  const PropellerBench& bench;
+  std::string path;
+  std::vector<Problem>& problems;
+
+  void operator()(const NoPropeller& /*p*/) const {}
+  void operator()(const BladeElementSpecimen& /*p*/) const {}
+  void operator()(const MapPropeller& /*p*/) const {}
+  void operator()(const MeasuredPropeller& p) const { checkMeasured(bench, p, problems); }
+  void operator()(const PropellerCoefficients& p) const { checkLumped(p.inflow, path, problems); }
+  void operator()(const RotorCoefficients& p) const { checkLumped(p.inflow, path, problems); }
+};
+
 }  // namespace
+
+void Describe<NoPropeller>::fields(schema::Builder<NoPropeller>& b) {
+  b.title("no-propeller", "None", "Nothing to compare with.");
+}
 
 void Describe<BladeElementSpecimen>::fields(schema::Builder<BladeElementSpecimen>& b) {
   using P = BladeElementSpecimen;
@@ -112,10 +211,15 @@ void Describe<PropellerRunSettings>::fields(schema::Builder<PropellerRunSettings
 void Describe<PropellerBench>::fields(schema::Builder<PropellerBench>& b) {
   using P = PropellerBench;
   b.title("propeller-bench", "Propeller bench",
-          "A propeller alone at prescribed speed and air speed: thrust and torque over time, over "
-          "speed and advance ratio, along the blade and in an edgewise stream.",
+          "A propeller alone, by any rotor model, at prescribed speed and air speed: thrust and "
+          "torque over time, over speed and advance ratio, along the blade and in an edgewise "
+          "stream.",
           "Thesis 2014, figures 3.19-3.20");
   b.variant("propeller", &P::propeller, "Propeller");
+  b.variant("second", &P::second, "Second propeller")
+      .help(
+          "Goes through the same in the same run, for comparison: another propeller, or the same "
+          "one by another model.");
   b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
       .range(atLeast(0), upTo(10))
       .source("International standard atmosphere at sea level");
@@ -133,6 +237,10 @@ void Describe<PropellerBench>::fields(schema::Builder<PropellerBench>& b) {
   b.group("run", &P::run, "Run");
   b.check(
       [](const P& p, std::vector<Problem>& problems) { checkTimes(p.speeds, "speeds", problems); });
+  b.check([](const P& p, std::vector<Problem>& problems) {
+    std::visit(CheckPropeller{p, "propeller", problems}, p.propeller);
+    std::visit(CheckPropeller{p, "second", problems}, p.second);
+  });
 }
 
 }  // namespace rotorbench

@@ -77,7 +77,9 @@ std::optional<SceneModel> modelOf(const MotorSpeedRun& run) {
   return modelOf(run.stand);
 }
 std::optional<SceneModel> modelOf(const PropellerBench& bench) {
-  return standScene(std::get<BladeElementSpecimen>(bench.propeller).geometry);
+  const RotorAerodynamics propeller = aerodynamicsOf(bench.propeller);
+  if (const PropellerGeometry* geometry = rotorGeometry(propeller)) return standScene(*geometry);
+  return standScene(rotorRadius(propeller));
 }
 std::optional<SceneModel> modelOf(const BirotorMotion& motion) {
   return modelOf(motion.plant);

@@ -17,10 +17,17 @@ namespace rotorbench {
 
 struct Experiment;
 
+/// Channels that an experiment of this kind may have and this one has not, and a sentence that says why.
+struct AbsentChannels {
+  std::string beginning;  ///< of their names
+  std::string reason;
+};
+
 /// One curve set of an experiment: a flight has one run, a solver comparison one per method.
 struct RunOutput {
   std::string name;
   std::shared_ptr<Recording> recording;  ///< readable from any thread while it grows
+  std::vector<AbsentChannels> absent{};  ///< what another run of this kind may have
 };
 
 enum class SimulationState { Running, Finished, Failed };

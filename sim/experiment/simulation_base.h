@@ -22,6 +22,8 @@ class SimulationBase : public Simulation {
   /// Adds a run; all of them before the first advance(). `share` of them divide the memory limit.
   Recording& addRun(std::string name, std::vector<Channel> channels, const OutputSettings& outputs,
                     std::size_t share = 1);
+  /// Says in the run added last why it has no channels of these names.
+  void addAbsent(AbsentChannels absent) { runs_.back().absent.push_back(std::move(absent)); }
   void end(SimulationState state);
   void fail(RunFailure failure);
   /// The failure of a recording that reached its memory limit.

@@ -83,7 +83,7 @@ void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) 
   b.number("diameter", &P::diameter, "Diameter", "D", "m")
       .range(schema::above(0), schema::upTo(10))
       .shownIn("in")
-      .help("Only for drawing; the coefficients hold the aerodynamics.")
+      .help("For drawing and for advance ratios; the coefficients hold the aerodynamics.")
       .source("8 inch propeller of the Hummingbird");
 }
 

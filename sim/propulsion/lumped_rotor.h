@@ -32,7 +32,7 @@ struct RotorCoefficients {
   double torque = 1.36e-7;  ///< k_m, N m s^2/rad^2
   RotorInflow inflow{1.19e-4, 2.32e-4, 3.39e-3, 0};
   double referenceDensity = 1.225;  ///< kg/m^3 at which all of them hold
-  double diameter = 0.2032;         ///< m, for drawing
+  double diameter = 0.2032;         ///< m, for drawing and advance ratios
   bool operator==(const RotorCoefficients&) const = default;
 };
 

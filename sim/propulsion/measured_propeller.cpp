@@ -1,6 +1,7 @@
 #include "sim/propulsion/measured_propeller.h"
 
 #include <algorithm>
+#include <limits>
 #include <string>
 
 namespace rotorbench {
@@ -133,8 +134,8 @@ void setSlopes(std::vector<Knot>& knots, double Knot::*value, double Knot::*slop
 
 }  // namespace
 
-CoefficientTable::Curve::Curve(double curveSpeed, std::vector<Knot> points)
-    : speed(curveSpeed), knots(std::move(points)) {
+CoefficientTable::Curve::Curve(double curveSpeed, std::vector<Knot> points, double leastAdvance)
+    : speed(curveSpeed), knots(std::move(points)), leastMeasured(leastAdvance) {
   setSlopes(knots, &Knot::thrust, &Knot::thrustSlope);
   setSlopes(knots, &Knot::power, &Knot::powerSlope);
   first = endAt(knots.front());
@@ -165,8 +166,11 @@ CoefficientTable::CoefficientTable(const MeasuredPropeller& p)
       still.push_back(group.front());
     }
   }
+  std::vector<double> continued;  // speeds of the curves whose state at rest nobody measured
   for (Points& curve : measured) {
-    if (curve.front().advanceRatio > 0) curve.insert(curve.begin(), restOf(curve, still));
+    if (!(curve.front().advanceRatio > 0)) continue;
+    curve.insert(curve.begin(), restOf(curve, still));
+    if (still.empty()) continued.push_back(curve.front().speed);
   }
   std::vector<Points> all = measured;
   for (const CoefficientPoint& rest : still) all.push_back(movedCurve(measured, rest));
@@ -176,8 +180,23 @@ CoefficientTable::CoefficientTable(const MeasuredPropeller& p)
     for (const CoefficientPoint& point : curve) {
       knots.push_back({point.advanceRatio, point.thrustCoefficient, point.powerCoefficient, 0, 0});
     }
-    curves_.emplace_back(curve.front().speed, std::move(knots));
+    const double speed = curve.front().speed;
+    const bool atRest = std::ranges::find(continued, speed) == continued.end();
+    const double least = curve[atRest ? 0 : 1].advanceRatio;
+    curves_.emplace_back(speed, std::move(knots), least);
   }
+}
+
+CoefficientTable::Limits CoefficientTable::limits(double speed) const {
+  std::size_t i = 0;
+  while (i + 1 < curves_.size() && speed >= curves_[i + 1].speed) ++i;
+  const Curve& low = curves_[i];
+  const Curve& high = i + 1 < curves_.size() && speed > low.speed ? curves_[i + 1] : low;
+  Limits found{curves_.front().speed / (1 + kSameSpeed), curves_.back().speed * (1 + kSameSpeed),
+               std::max(low.leastMeasured, high.leastMeasured),
+               std::min(low.knots.back().advance, high.knots.back().advance)};
+  if (curves_.back().speed == 0) found.mostSpeed = std::numeric_limits<double>::infinity();
+  return found;
 }
 
 std::vector<Problem> pointProblems(const MeasuredPropeller& p) {

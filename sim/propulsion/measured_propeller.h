@@ -119,6 +119,16 @@ class CoefficientTable {
 
   [[nodiscard]] double radius() const { return radius_; }
 
+  /// What was measured. Speeds in rad/s, from 0 to infinity where the points hold at every speed; a speed within 2 % of
+  /// a measured one counts as measured. Advance ratios are those known at the speed asked for and its neighbours.
+  struct Limits {
+    double leastSpeed, mostSpeed;
+    double leastAdvance, mostAdvance;
+  };
+  /// The limits at a speed in rad/s, not negative; beyond the measured ones the nearest has a say. The least advance
+  /// ratio may lie above the most where two neighbours have none in common.
+  [[nodiscard]] Limits limits(double speed) const;
+
   /// CT and CP at one advance ratio, with their slopes against it.
   struct Knot {
     double advance, thrust, power, thrustSlope, powerSlope;
@@ -150,8 +160,9 @@ class CoefficientTable {
     double speed = 0;
     std::vector<Knot> knots;
     End first{}, last{};
+    double leastMeasured;  ///< J; the first knot may be a continuation to rest
 
-    explicit Curve(double curveSpeed, std::vector<Knot> points);
+    Curve(double curveSpeed, std::vector<Knot> points, double leastAdvance);
 
     template <class S>
     [[nodiscard]] Coefficients<S> at(const S& direction) const {

@@ -39,9 +39,17 @@ class Group {
   Group(FigureSheet& sheet, std::string key, std::string title)
       : sheet_(sheet), key_(std::move(key)), title_(std::move(title)) {}
   Figure& add(const char* key, const char* label, const char* symbol, double value,
-              const char* unit, const char* shown, const char* formula, const char* source = "") {
-    sheet_.figures.push_back(
-        {key_ + "." + key, title_, label, symbol, value, unit, shown, formula, source, {}});
+              const char* unit, const char* shown, Sentence formula, const char* source = "") {
+    sheet_.figures.push_back({key_ + "." + key,
+                              title_,
+                              label,
+                              symbol,
+                              value,
+                              unit,
+                              shown,
+                              std::move(formula),
+                              source,
+                              {}});
     return sheet_.figures.back();
   }
 
@@ -94,7 +102,7 @@ void addPropeller(FigureSheet& sheet, const Worked& w) {
   const double shaft = at.torque * at.speed;
   g.add("figureOfMerit", "Figure of merit", "FM",
         shaft > 0 ? figureOfMerit(at.thrust, shaft, w.radius, w.density) : kNone, "1", "1",
-        "T^1.5/\u221a(2 \u03c1 A) over the shaft power", kMomentum)
+        "T^(3/2)/\u221a(2 \u03c1 A) over the shaft power", kMomentum)
       .note = where;
   g.add("inertia", "Inertia of the rotor", "J", w.train.inertia(), "kg*m^2", "g*cm^2",
         std::holds_alternative<GivenInertia>(w.sheet.inertia)
@@ -141,8 +149,8 @@ void addHover(FigureSheet& sheet, const Worked& w) {
   if (w.hover) return;
   for (std::size_t k = first + 1; k < sheet.figures.size(); ++k) {
     sheet.figures[k].value = kNone;
-    sheet.figures[k].note = "full throttle gives " + shortNumber(w.full.thrust) + " N of the " +
-                            shortNumber(w.weight) + " N needed";
+    sheet.figures[k].note = "full throttle gives " + Sentence::number(w.full.thrust) +
+                            " N of the " + Sentence::number(w.weight) + " N needed";
   }
 }
 
@@ -151,11 +159,11 @@ void addFullThrottle(FigureSheet& sheet, const Worked& w) {
   const DrivePoint& p = w.full;
   const double shaft = p.torque * p.speed, motor = p.electrical.motorVoltage * p.electrical.current;
   const double bus = p.electrical.busVoltage * p.electrical.busCurrent;
-  const std::string limit =
+  const Sentence limit =
       p.currentLimited
-          ? "limited by the current limit of " + shortNumber(w.train.maxCurrent()) + " A"
-          : "limited by the supply: " + shortNumber(p.electrical.openCircuit) + " V fall to " +
-                shortNumber(p.electrical.busVoltage) + " V under load";
+          ? "limited by the current limit of " + Sentence::number(w.train.maxCurrent()) + " A"
+          : "limited by the supply: " + Sentence::number(p.electrical.openCircuit) + " V fall to " +
+                Sentence::number(p.electrical.busVoltage) + " V under load";
   g.add("speed", "Rotor speed", "\u03a9_max", p.speed, "rad/s", "rpm",
         "d = 1: V = R i + K_b \u03a9 + R_esc i with K_t i = Q(\u03a9) + friction")
       .note = limit;
@@ -172,7 +180,7 @@ void addFullThrottle(FigureSheet& sheet, const Worked& w) {
   g.add("thrustPerPower", "Thrust per power", "T/P", bus > 0 ? p.thrust / bus : kNone, "N/W",
         "gf/W", "thrust over electrical power");
   g.add("tipMach", "Tip Mach number", "M_tip", p.speed * w.radius / kSpeedOfSound, "1", "1",
-        "\u03a9 R/a with a = 340.3 m/s");
+        "\u03a9 R/a with a = " + Sentence::number(kSpeedOfSound, 4) + " m/s");
 }
 
 void addDynamics(FigureSheet& sheet, const Worked& w) {
@@ -199,23 +207,24 @@ void addDynamics(FigureSheet& sheet, const Worked& w) {
   g.add("pole", "Fastest pole", "|\u03bb|", fastest, "1/s", "1/s",
         "largest eigenvalue of [-R/L, -K/L; K/J, -(f + dQ/d\u03a9)/J]");
   g.add("largestStep", "Largest stable step of RK4", "h",
-        stabilityLimit(ode::Method::Rk4) / fastest, "s", "us", "2.785/|\u03bb|",
+        stabilityLimit(ode::Method::Rk4) / fastest, "s", "us",
+        Sentence::number(stabilityLimit(ode::Method::Rk4), 4) + "/|\u03bb|",
         "Hairer, Wanner, Solving ODEs II, IV.2");
 }
 
-void warnOfHover(const Worked& w, std::vector<std::string>& warnings) {
+void warnOfHover(const Worked& w, std::vector<Sentence>& warnings) {
   if (!w.hover) {
     warnings.push_back("The drives cannot carry the vehicle: full throttle gives " +
-                       shortNumber(w.full.thrust / w.weight) + " of its weight.");
+                       Sentence::number(w.full.thrust / w.weight) + " of its weight.");
     return;
   }
   if (w.full.thrust < 1.5 * w.weight) {
-    warnings.push_back("Full throttle gives only " + shortNumber(w.full.thrust / w.weight) +
+    warnings.push_back("Full throttle gives only " + Sentence::number(w.full.thrust / w.weight) +
                        " of the weight; little is left for control and gusts.");
   }
 }
 
-void warnOfCurrent(const Worked& w, std::vector<std::string>& warnings) {
+void warnOfCurrent(const Worked& w, std::vector<Sentence>& warnings) {
   DriveTrainSetup open{.supply = shareOf(w.sheet.supply, w.sheet.vehicle.rotors),
                        .esc = w.sheet.esc,
                        .motor = w.sheet.motor,
@@ -225,9 +234,9 @@ void warnOfCurrent(const Worked& w, std::vector<std::string>& warnings) {
   const double unlimited = drivePoint(DriveTrain(open), 1).electrical.current;
   const bool motor = w.sheet.motor.maxCurrent <= w.sheet.esc.maxCurrent;
   if (unlimited > w.train.maxCurrent()) {
-    warnings.push_back("Full throttle would draw " + shortNumber(unlimited) + " A, above the " +
-                       (motor ? "motor's" : "speed controller's") + " limit of " +
-                       shortNumber(w.train.maxCurrent()) + " A.");
+    warnings.push_back("Full throttle would draw " + Sentence::number(unlimited) +
+                       " A, above the " + (motor ? "motor's" : "speed controller's") +
+                       " limit of " + Sentence::number(w.train.maxCurrent()) + " A.");
   }
   if (w.sheet.motor.noLoadCurrent > 0.2 * w.full.electrical.current) {
     warnings.emplace_back(
@@ -236,12 +245,12 @@ void warnOfCurrent(const Worked& w, std::vector<std::string>& warnings) {
   }
 }
 
-void warnOfPropeller(const Worked& w, std::vector<std::string>& warnings) {
+void warnOfPropeller(const Worked& w, std::vector<Sentence>& warnings) {
   const double mach = w.full.speed * w.radius / kSpeedOfSound;
   if (mach > kTipMach) {
-    warnings.push_back(
-        "The blade tips reach Mach " + shortNumber(mach) +
-        " at full throttle; above 0.7 thrust is lost that no model here accounts for.");
+    warnings.push_back("The blade tips reach Mach " + Sentence::number(mach) +
+                       " at full throttle; above " + Sentence::number(kTipMach) +
+                       " thrust is lost that no model here accounts for.");
   }
   const double shaft = w.full.torque * w.full.speed;
   if (!(shaft > 0)) {
@@ -250,11 +259,12 @@ void warnOfPropeller(const Worked& w, std::vector<std::string>& warnings) {
   }
   const double merit = figureOfMerit(w.full.thrust, shaft, w.radius, w.density);
   if (merit > 1) {
-    warnings.push_back("The propeller would have a figure of merit of " + shortNumber(merit) +
+    warnings.push_back("The propeller would have a figure of merit of " + Sentence::number(merit) +
                        "; above 1 no propeller can be, so thrust, power or diameter is wrong.");
   } else if (merit < 0.3) {
-    warnings.push_back("The propeller's figure of merit is only " + shortNumber(merit) +
-                       "; usual ones reach 0.5 to 0.75.");
+    warnings.push_back("The propeller's figure of merit is only " + Sentence::number(merit) +
+                       "; usual ones reach " + Sentence::number(0.5) + " to " +
+                       Sentence::number(0.75) + ".");
   }
 }
 

@@ -91,22 +91,22 @@ Discharge discharge(const Supply& supply, const ConstantLoad& load) {
   return {time, cells.charge, end};
 }
 
-std::string reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load) {
+Sentence reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load) {
   switch (end) {
     case DischargeEnd::Reserve:
       return load.reserve > 0
-                 ? "the reserve of " + shortNumber(100 * load.reserve) + " % charge is reached"
+                 ? "the reserve of " + Sentence::number(100 * load.reserve) + " % charge is reached"
                  : "the battery is empty";
     case DischargeEnd::CutOff:
       return "the battery's voltage under load falls to its cut-off of " +
-             shortNumber(supply.cutOff) + " V";
+             Sentence::number(supply.cutOff) + " V";
     case DischargeEnd::Throttle:
       return "full throttle no longer carries the vehicle: the battery's voltage under load falls "
              "to the " +
-             shortNumber(load.leastVoltage) + " V that the motors need";
+             Sentence::number(load.leastVoltage) + " V that the motors need";
     case DischargeEnd::Collapse:
-      return "the battery's internal resistance no longer lets it give " + shortNumber(load.power) +
-             " W";
+      return "the battery's internal resistance no longer lets it give " +
+             Sentence::number(load.power) + " W";
     case DischargeEnd::Never:
       return "a supply of fixed voltage never runs empty";
   }

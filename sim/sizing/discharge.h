@@ -3,8 +3,7 @@
 //   i = P/V,  V = (E + sqrt(E^2 - 4 R_0 P))/2,  E = OCV(z) - v_rc
 #pragma once
 
-#include <string>
-
+#include "sim/core/sentence.h"
 #include "sim/propulsion/battery.h"
 
 namespace rotorbench {
@@ -31,6 +30,6 @@ Discharge discharge(const Supply& supply, const ConstantLoad& load);
 double voltageUnder(double power, double inner, double resistance);
 
 /// Why it ends, as the end of a sentence: "the reserve of 20 % charge is reached".
-std::string reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load);
+Sentence reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load);
 
 }  // namespace rotorbench

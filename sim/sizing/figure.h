@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "sim/core/sentence.h"
+
 namespace rotorbench {
 
 struct Figure {
@@ -15,26 +17,23 @@ struct Figure {
   double value = 0;       ///< SI; NaN where there is none, and `note` says why
   std::string unit;       ///< SI
   std::string shownUnit;  ///< converts to `unit`
-  std::string formula;    ///< in words and plain mathematics
+  Sentence formula;       ///< in words and plain mathematics
   std::string source;     ///< of the formula; may be empty
-  std::string note;       ///< a sentence: what limits the value, or why there is none; may be empty
+  Sentence note;          ///< a sentence: what limits the value, or why there is none; may be empty
 };
 
 /// Figures in the order they are read, and sentences about what cannot be right or will not do.
 struct FigureSheet {
   std::vector<Figure> figures;
-  std::vector<std::string> warnings;
+  std::vector<Sentence> warnings;
 
   /// The figure named `key`; there must be one.
   [[nodiscard]] const Figure& at(const std::string& key) const;
 };
 
-/// "12.3 A" in the shown unit with `digits` significant digits, C locale; "–" for NaN.
-std::string figureText(const Figure& figure, int digits = 4);
+/// "12.3 A" in the shown unit with four significant digits, in the C locale unless another writer is given; "–" for NaN.
+std::string figureText(const Figure& figure, const NumberWriter& write = shortNumber);
 /// The number of figureText() alone.
-std::string figureNumber(const Figure& figure, int digits = 4);
-
-/// A number for a sentence: `digits` significant digits, C locale, no trailing zeros.
-std::string shortNumber(double value, int digits = 3);
+std::string figureNumber(const Figure& figure, const NumberWriter& write = shortNumber);
 
 }  // namespace rotorbench

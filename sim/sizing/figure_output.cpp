@@ -29,7 +29,7 @@ std::string quoted(const std::string& text) {
 
 }  // namespace
 
-std::string sheetText(const FigureSheet& sheet) {
+std::string sheetText(const FigureSheet& sheet, const NumberWriter& write) {
   std::size_t labels = 0, symbols = 0;
   for (const auto& f : sheet.figures) {
     labels = std::max(labels, width(f.label));
@@ -42,10 +42,10 @@ std::string sheetText(const FigureSheet& sheet) {
       group = f.group;
     }
     text += "  " + padded(f.label, labels) + "  " + padded(f.symbol, symbols) + "  " +
-            figureText(f) + '\n';
-    if (!f.note.empty()) text += "      " + f.note + '\n';
+            figureText(f, write) + '\n';
+    if (!f.note.empty()) text += "      " + f.note.text(write) + '\n';
   }
-  for (const auto& warning : sheet.warnings) text += "\nWarning: " + warning;
+  for (const auto& warning : sheet.warnings) text += "\nWarning: " + warning.text(write);
   return text + (sheet.warnings.empty() ? "" : "\n");
 }
 
@@ -60,12 +60,14 @@ std::string sheetJson(const std::string& title, const FigureSheet& sheet) {
                        {"symbol", f.symbol},
                        {"value", std::move(value)},
                        {"unit", f.unit},
-                       {"formula", f.formula},
+                       {"formula", f.formula.text()},
                        {"source", f.source},
-                       {"note", f.note}});
+                       {"note", f.note.text()}});
   }
+  nlohmann::ordered_json warnings = nlohmann::ordered_json::array();
+  for (const auto& warning : sheet.warnings) warnings.push_back(warning.text());
   const nlohmann::ordered_json root{
-      {"title", title}, {"figures", std::move(figures)}, {"warnings", sheet.warnings}};
+      {"title", title}, {"figures", std::move(figures)}, {"warnings", std::move(warnings)}};
   return root.dump(2) + '\n';
 }
 
@@ -74,7 +76,7 @@ std::string sheetCsv(const FigureSheet& sheet) {
   for (const auto& f : sheet.figures) {
     const std::string value = std::isfinite(f.value) ? numberText(f.value) : std::string();
     csv += quoted(f.group) + ',' + quoted(f.label) + ',' + quoted(f.symbol) + ',' + value + ',' +
-           quoted(f.unit) + ',' + quoted(f.formula) + ',' + quoted(f.note) + '\n';
+           quoted(f.unit) + ',' + quoted(f.formula.text()) + ',' + quoted(f.note.text()) + '\n';
   }
   return csv;
 }

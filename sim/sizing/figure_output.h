@@ -8,7 +8,8 @@
 namespace rotorbench {
 
 /// One block per group: quantity, symbol, value with unit, and in the next line what limits it; warnings last. UTF-8, '\n'.
-std::string sheetText(const FigureSheet& sheet);
+/// Numbers in the C locale unless another writer is given.
+std::string sheetText(const FigureSheet& sheet, const NumberWriter& write = shortNumber);
 
 /// {"title": …, "figures": [{"key", "group", "label", "symbol", "value" (SI; null where there is none), "unit", "formula",
 /// "source", "note"}], "warnings": […]}. Numbers have the shortest digits that read back equal.

@@ -11,9 +11,6 @@ namespace rotorbench {
 namespace {
 
 constexpr double kSpeedStep = 0.5;  // m/s
-// Air speed over the speed of the blade tips up to which lumped coefficients and rigid blades describe a rotor; helicopters
-// stay below it too. J. G. Leishman, Principles of Helicopter Aerodynamics, 2nd ed., ch. 5.
-constexpr double kMostAdvance = 0.4;
 constexpr double kSpeedTolerance = 1e-7;
 
 double advanceRatio(const SteadyFlight& flight, const Trim& trim) {

@@ -30,6 +30,10 @@ enum class FlightLimit {
   NoTrim,  ///< the rotors find no balance of force and moment
 };
 
+/// Air speed over the speed of the blade tips up to which lumped coefficients and rigid blades describe a rotor;
+/// helicopters stay below it too. J. G. Leishman, Principles of Helicopter Aerodynamics, 2nd ed., ch. 5.
+inline constexpr double kMostAdvance = 0.4;
+
 /// How far a steady state is from its nearest limit: above 0 where none is broken.
 struct Margin {
   double value = 0;

@@ -37,12 +37,12 @@ struct Flown {
   Margin margin{-1, FlightLimit::NoTrim};  ///< of the hover at the largest throttle
 };
 
-std::string percent(double share) {
-  return shortNumber(100 * share) + " %";
+Sentence percent(double share) {
+  return Sentence::number(100 * share) + " %";
 }
 
 /// "limited by ..." for a state at the edge of what the vehicle can do.
-std::string limitSentence(FlightLimit limit, const Flown& f, double throttle) {
+Sentence limitSentence(FlightLimit limit, const Flown& f, double throttle) {
   const Supply& supply = f.flight.supply();
   switch (limit) {
     case FlightLimit::Throttle:
@@ -51,18 +51,20 @@ std::string limitSentence(FlightLimit limit, const Flown& f, double throttle) {
     case FlightLimit::Current: {
       double least = f.flight.currentLimit(0);
       for (int i = 1; i < kSheetRotors; ++i) least = std::min(least, f.flight.currentLimit(i));
-      return "limited by the motor's current limit of " + shortNumber(least) + " A";
+      return "limited by the motor's current limit of " + Sentence::number(least) + " A";
     }
     case FlightLimit::Supply:
       return "limited by the supply: its internal resistance lets it give no more power";
     case FlightLimit::CutOff:
       return "limited by the battery: its voltage under load reaches the cut-off of " +
-             shortNumber(supply.cutOff) + " V";
+             Sentence::number(supply.cutOff) + " V";
     case FlightLimit::Tilt:
       return "limited by the tilt of " +
-             shortNumber(f.settings.tiltLimit * 180 / std::numbers::pi) + " degrees";
+             Sentence::number(f.settings.tiltLimit * 180 / std::numbers::pi) + " degrees";
     case FlightLimit::Model:
-      return "at least this: beyond it the air speed is above 0.4 of the blade tips' and no rotor "
+      return Sentence("at least this: beyond it the air speed is above ") +
+             Sentence::number(kMostAdvance) +
+             " of the blade tips' and no rotor "
              "model here holds; neither drag nor throttle limits the vehicle before";
     case FlightLimit::NoTrim:
       return "limited by the rotors' inflow: no rotor speeds balance force and moment beyond it";
@@ -78,7 +80,7 @@ class Group {
   Group(FigureSheet& sheet, std::string key, std::string title)
       : sheet_(sheet), key_(std::move(key)), title_(std::move(title)) {}
   void add(const char* key, const char* label, const char* symbol, double value, const char* unit,
-           const char* shown, const char* formula, std::string note = {}) {
+           const char* shown, Sentence formula, Sentence note = {}) {
     sheet_.figures.push_back({key_ + "." + key,
                               title_,
                               label,
@@ -86,7 +88,7 @@ class Group {
                               value,
                               unit,
                               shown,
-                              formula,
+                              std::move(formula),
                               {},
                               std::move(note)});
   }
@@ -104,11 +106,11 @@ void addThrust(FigureSheet& sheet, const Flown& f) {
   g.add("toWeight", "Thrust to weight", "T/W", f.full.thrust / f.flight.weight(), "1", "1",
         "T_max/(m g)",
         f.full.currentLimited
-            ? "limited by a motor's current limit of " + shortNumber(f.full.currents.maxCoeff()) +
-                  " A"
-            : "limited by the supply's voltage: " + shortNumber(f.full.openCircuit) +
-                  " V fall to " + shortNumber(f.full.busVoltage) + " V under " +
-                  shortNumber(f.full.current) + " A");
+            ? "limited by a motor's current limit of " +
+                  Sentence::number(f.full.currents.maxCoeff()) + " A"
+            : "limited by the supply's voltage: " + Sentence::number(f.full.openCircuit) +
+                  " V fall to " + Sentence::number(f.full.busVoltage) + " V under " +
+                  Sentence::number(f.full.current) + " A");
   g.add("current", "Current at full throttle", "I_max", f.full.current, "A", "A",
         "of all motors, from the supply");
   g.add("power", "Power at full throttle", "P_max", f.full.power, "W", "W",
@@ -117,15 +119,15 @@ void addThrust(FigureSheet& sheet, const Flown& f) {
 
 void addHover(FigureSheet& sheet, const Flown& f) {
   Group g(sheet, "hover", "Hover");
-  const std::string none = f.hover ? limitSentence(f.margin.limit, f, 1)
-                                   : "the rotors cannot hold the vehicle in balance";
+  const Sentence none = f.hover ? limitSentence(f.margin.limit, f, 1)
+                                : "the rotors cannot hold the vehicle in balance";
   const bool flies = f.hover && f.margin.value >= 0;
   const auto or_ = [flies](double value) { return flies ? value : kNone; };
   const double mean = flies ? f.hover->rotors.mean() : kNone;
-  const std::string spread = !flies ? "the vehicle cannot hover: " + none
-                             : f.hover->rotors.maxCoeff() - f.hover->rotors.minCoeff() > 1e-6 * mean
-                                 ? "mean; the rotors differ to balance the vehicle"
-                                 : std::string();
+  const Sentence spread = !flies ? "the vehicle cannot hover: " + none
+                          : f.hover->rotors.maxCoeff() - f.hover->rotors.minCoeff() > 1e-6 * mean
+                              ? "mean; the rotors differ to balance the vehicle"
+                              : Sentence();
   const double current = f.demand.power / f.bus;
   const double inner = f.flight.supply().openCircuit(f.flight.supply().charge);
   double ideal = 0, thrust = 0;
@@ -157,7 +159,7 @@ void addHover(FigureSheet& sheet, const Flown& f) {
   e.add("motor", "Motors", "\u03b7_m", or_(f.demand.shaftPower / f.demand.motorPower), "1", "%",
         "shaft power over power at the motors");
   e.add("propeller", "Propellers (figure of merit)", "FM", or_(ideal / f.demand.shaftPower), "1",
-        "%", "sum of T^1.5/\u221a(2 \u03c1 A) over shaft power");
+        "%", "sum of T^(3/2)/\u221a(2 \u03c1 A) over shaft power");
   e.add("total", "All", "\u03b7", or_(ideal / f.demand.power * f.bus / inner), "1", "%",
         "ideal induced power over the power from the cells");
 }
@@ -180,7 +182,7 @@ void addEndurance(FigureSheet& sheet, const Flown& f) {
   ConstantLoad load;
   const Discharge run = flightUntilReserve(f, *f.hover, load);
   const bool endless = run.end == DischargeEnd::Never;
-  const std::string reason = reasonOf(run.end, f.flight.supply(), load);
+  const Sentence reason = reasonOf(run.end, f.flight.supply(), load);
   g.add("hover", "Hover", "t_h", endless ? kNone : run.time, "s", "min", formula,
         endless ? reason : "ends when " + reason);
 }
@@ -231,12 +233,12 @@ void addLevelFlight(FigureSheet& sheet, const Flown& f) {
   ConstantLoad load;
   const Discharge run = flightUntilReserve(f, level.farthest, load);
   const bool endless = run.end == DischargeEnd::Never;
-  const std::string reason = reasonOf(run.end, f.flight.supply(), load);
+  const Sentence reason = reasonOf(run.end, f.flight.supply(), load);
   g.add("bestSpeed", "Speed of longest range", "v_r", level.farthest.speed, "m/s", "m/s",
         "least electrical power per speed",
         level.farthest.speed >= level.fastest.speed * (1 - 1e-6)
             ? "power per speed still falls at the fastest flight"
-            : std::string());
+            : Sentence());
   g.add("range", "Range in still air", "s_r", endless ? kNone : run.time * level.farthest.speed,
         "m", "km", "that speed times the time the battery lasts",
         endless ? reason : "ends when " + reason);
@@ -282,13 +284,13 @@ void addWarnings(FigureSheet& sheet, const Flown& f) {
                              ".");
   } else if (f.full.thrust < 1.5 * f.flight.weight()) {
     sheet.warnings.push_back("Full throttle gives only " +
-                             shortNumber(f.full.thrust / f.flight.weight()) +
+                             Sentence::number(f.full.thrust / f.flight.weight()) +
                              " of the weight; little is left for control and gusts.");
   }
   const double merit = f.hover ? sheet.at("efficiency.propeller").value : kNone;
   if (merit > 1) {
     sheet.warnings.push_back(
-        "The propellers would have a figure of merit of " + shortNumber(merit) +
+        "The propellers would have a figure of merit of " + Sentence::number(merit) +
         "; above 1 no propeller can be, so thrust, torque or diameter is wrong.");
   }
 }

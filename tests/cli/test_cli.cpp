@@ -143,6 +143,25 @@ class TestCli : public QObject {
     QCOMPARE(read.out, outcome.out);
   }
 
+  /// Another model of the propeller, and a second one, by --set; a measured one tells its limits.
+  void propellerBenchWithOtherModels() {
+    const Outcome measured = cli({"run", shipped("propeller-bench-10x47"), "--set",
+                                  "setup.propeller.type=measured", "--format", "json"});
+    QCOMPARE(measured.code, 0);
+    QVERIFY(measured.out.contains("most_measured_advance_ratio"));
+    QVERIFY(measured.out.contains("beyond_measured_share"));
+    const Outcome both = cli({"run", shipped("propeller-bench-10x47"), "--set",
+                              "setup.propeller.type=map", "--set", "setup.second.type=measured"});
+    QCOMPARE(both.code, 0);
+    QVERIFY(both.out.contains("Run, propeller map"));
+    QVERIFY(both.out.contains("Run, measured propeller"));
+    const Outcome outside =
+        cli({"run", shipped("propeller-bench-10x47"), "--set", "setup.propeller.type=measured",
+             "--set", "setup.curves.topSpeed=1000 rpm"});
+    QCOMPARE(outside.code, 2);
+    QVERIFY(outside.err.contains("topSpeed"));
+  }
+
   void metricsAsJson() {
     const Outcome outcome = cli({"run", shipped("thesis-experiment-1"), "--format", "json"});
     QCOMPARE(outcome.code, 0);

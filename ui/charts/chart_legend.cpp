@@ -1,7 +1,6 @@
 #include "ui/charts/chart_legend.h"
 
-#include <QContextMenuEvent>
-#include <QKeyEvent>
+#include <QEvent>
 #include <QMenu>
 #include <QPainter>
 #include <algorithm>
@@ -9,85 +8,10 @@
 namespace rotorbench {
 namespace {
 
-constexpr int kSample = 26;
 constexpr int kPadding = 4;
 constexpr int kBetween = 6;
-constexpr double kCellShare = 0.76;  // of a narrow legend; the rest is for the names
 
 }  // namespace
-
-LegendItem::LegendItem(QWidget* parent) : QAbstractButton(parent) {
-  setFocusPolicy(Qt::TabFocus);
-  setCheckable(true);
-  setCursor(Qt::PointingHandCursor);
-}
-
-void LegendItem::setEntry(const LegendEntry& entry) {
-  entry_ = entry;
-  setChecked(!entry.hidden);
-  setText(entry.label);
-  setObjectName(QStringLiteral("legend:") + entry.label);
-  setAccessibleName(entry.hidden ? tr("%1, hidden").arg(entry.label) : entry.label);
-  setToolTip(entry.tip);
-  update();
-}
-
-void LegendItem::setCells(const QStringList& cells, int width) {
-  cells_ = cells;
-  cellWidth_ = width;
-  setAccessibleDescription(cells.join(QStringLiteral("; ")));
-  update();
-}
-
-QSize LegendItem::sizeHint() const {
-  const QFontMetrics metrics(font());
-  return {kSample + 2 * kPadding + metrics.horizontalAdvance(text()), metrics.height() + 2};
-}
-
-void LegendItem::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  const ChartTheme theme = ChartTheme::of(palette());
-  const int middle = height() / 2;
-  if (underMouse() || hasFocus()) painter.fillRect(rect(), theme.grid);
-  if (!entry_.hidden) {
-    painter.setPen(curvePen(entry_.style, theme, 2));
-    painter.drawLine(kPadding, middle, kSample - kPadding, middle);
-    if (!entry_.style.line) {
-      constexpr int kMark = 3;  // radius, as in the plot
-      painter.setRenderHint(QPainter::Antialiasing);
-      painter.setBrush(theme.readable(entry_.style.color));
-      painter.drawEllipse(QPoint(kSample / 2, middle), kMark, kMark);
-      painter.setRenderHint(QPainter::Antialiasing, false);
-    }
-  }
-  QFont face = font();
-  face.setStrikeOut(entry_.hidden);
-  painter.setFont(face);
-  painter.setPen(entry_.hidden ? theme.dimText : theme.text);
-  const int cells = static_cast<int>(cells_.size()) * cellWidth_;
-  const QRect label(kSample, 0, width() - kSample - kPadding - cells, height());
-  const QFontMetrics metrics(face);
-  // The last part of a channel's name tells the curves of one chart apart.
-  painter.drawText(label, Qt::AlignVCenter | Qt::AlignLeft,
-                   metrics.elidedText(text(), Qt::ElideLeft, label.width()));
-  painter.setFont(font());
-  for (int i = 0; i < cells_.size(); ++i) {
-    const QRect cell(width() - cells + i * cellWidth_, 0, cellWidth_ - kPadding, height());
-    painter.drawText(cell, Qt::AlignVCenter | Qt::AlignRight,
-                     metrics.elidedText(cells_[i], Qt::ElideRight, cell.width()));
-  }
-}
-
-void LegendItem::keyPressEvent(QKeyEvent* event) {
-  if (event->key() == Qt::Key_Delete) return emit removeAsked();
-  if (event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter) return click();
-  QAbstractButton::keyPressEvent(event);
-}
-
-void LegendItem::contextMenuEvent(QContextMenuEvent* event) {
-  emit menuAsked(event->globalPos());
-  event->accept();
-}
 
 ChartLegend::ChartLegend(QWidget* parent) : QScrollArea(parent), body_(new QWidget) {
   setObjectName(QStringLiteral("legend"));
@@ -127,9 +51,10 @@ void ChartLegend::setEntries(const std::vector<LegendEntry>& entries) {
 }
 
 void ChartLegend::setReadouts(const QStringList& heads, const std::vector<QStringList>& cells) {
-  const bool changed = heads.size() != heads_.size();
+  const bool otherColumns = heads.size() != heads_.size();
   heads_ = heads;
-  if (changed) widestCell_ = 0;
+  if (otherColumns) widestCell_ = 0;
+  const int widest = widestCell_;
   const QFontMetrics metrics(font());
   const auto measure = [&](const QStringList& texts) {
     for (const QString& text : texts)
@@ -138,17 +63,11 @@ void ChartLegend::setReadouts(const QStringList& heads, const std::vector<QStrin
   measure(heads);
   for (const auto& row : cells) measure(row);
   for (std::size_t i = 0; i < items_.size(); ++i) {
-    items_[i]->setCells(i < cells.size() && !heads.isEmpty() ? cells[i] : QStringList(),
-                        cellWidth());
+    const bool any = i < cells.size() && !heads.isEmpty();
+    items_[i]->setCells(any ? heads : QStringList(), any ? cells[i] : QStringList());
   }
-  if (changed) arrange();
+  if (otherColumns || widestCell_ != widest) arrange();
   body_->update();
-}
-
-int ChartLegend::cellWidth() const {
-  const auto columns = std::max<qsizetype>(1, heads_.size());
-  return std::min(widestCell_, static_cast<int>(kCellShare * viewport()->width() /
-                                                static_cast<double>(columns)));
 }
 
 void ChartLegend::setMostHeight(int height) {
@@ -174,6 +93,33 @@ void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
   menu->popup(globalPosition);
 }
 
+/// In this order: the full names with the read-outs beside them; shorter names; the read-outs on a line of their own, as
+/// many columns of them as there is room for; shorter names there too, on as many lines as they take.
+void ChartLegend::choosePlaces(int room) {
+  const auto fit = [&](QString LegendEntry::*name, int width) {
+    return std::ranges::all_of(items_, [&](const LegendItem* item) {
+      return item->widthOf(item->entry().*name) <= width;
+    });
+  };
+  const int columns = static_cast<int>(heads_.size());
+  const int beside = room - columns * widestCell_;
+  cells_ = {{}, columns, widestCell_, false};
+  shortNames_ = !fit(&LegendEntry::label, beside);
+  if (!shortNames_ || fit(&LegendEntry::shortLabel, beside) || columns == 0) return;
+  cells_.cellsBelow = true;
+  cells_.cellWidth = std::min(widestCell_, room);
+  cells_.cells = std::clamp(room / std::max(1, cells_.cellWidth), 1, columns);
+  shortNames_ = !fit(&LegendEntry::label, room);
+}
+
+LegendPlace ChartLegend::placeOf(const LegendItem& item, int room) const {
+  LegendPlace place = cells_;
+  const QString& name = shortNames_ ? item.entry().shortLabel : item.entry().label;
+  const int taken = place.cellsBelow ? 0 : place.cells * place.cellWidth;
+  place.lines = item.wrapped(name, room - taken);
+  return place;
+}
+
 /// Entries flow in rows; as a table or column each has a row of its own, below the heads if there are any.
 void ChartLegend::arrange() {
   const bool column = columnWidth_ > 0;
@@ -183,30 +129,37 @@ void ChartLegend::arrange() {
     setMinimumWidth(0);
     setMaximumWidth(QWIDGETSIZE_MAX);
   }
-  const int width = viewport()->width();
+  const int width = viewport()->width(), room = width - 2 * kBetween;
   const int rowHeight = QFontMetrics(font()).height() + 2;
-  const bool table = !heads_.isEmpty();
-  int x = kBetween;
-  int y = table ? rowHeight : 0;
+  const bool table = !heads_.isEmpty(), ownRow = table || column;
+  choosePlaces(room);
+  int x = kBetween, y = table ? rowHeight : 0, high = 0;
   for (auto* item : items_) {
-    const bool ownRow = table || column;
-    const int wanted =
-        ownRow ? width - 2 * kBetween : std::min(item->sizeHint().width(), width - 2 * kBetween);
+    const LegendPlace place = placeOf(*item, room);
+    const QString& name = shortNames_ ? item->entry().shortLabel : item->entry().label;
+    const int wanted = ownRow ? room : std::min(item->widthOf(name), room);
     if (x > kBetween && (ownRow || x + wanted > width)) {
       x = kBetween;
-      y += rowHeight;
+      y += high;
+      high = 0;
     }
-    item->setGeometry(x, y, wanted, rowHeight);
-    item->setCells(item->cells(), cellWidth());
+    item->setPlace(place);
+    item->setGeometry(x, y, wanted, item->heightOf(place));
+    high = std::max(high, item->height());
     x += wanted + kBetween;
   }
-  const int content = items_.empty() && !table ? 0 : y + rowHeight + 2;
+  const int content = items_.empty() && !table ? 0 : y + std::max(high, rowHeight) + 2;
   body_->resize(width, content);
-  if (column) {
+  fixSize(content, rowHeight);
+}
+
+void ChartLegend::fixSize(int content, int rowHeight) {
+  if (columnWidth_ > 0) {
     setMinimumHeight(0);
     setMaximumHeight(QWIDGETSIZE_MAX);
   } else {
-    setFixedHeight(std::min(content, std::max(mostHeight_, rowHeight + 2)));
+    // Whole rows, so that none is cut at its half.
+    setFixedHeight(std::min(content, std::max(1, mostHeight_ / rowHeight) * rowHeight + 2));
   }
 }
 
@@ -215,11 +168,12 @@ void ChartLegend::paintHeads() {
   const ChartTheme theme = ChartTheme::of(palette());
   const QFontMetrics metrics(font());
   painter.setPen(theme.dimText);
-  const int cell = cellWidth();
-  int x = body_->width() - kBetween - static_cast<int>(heads_.size()) * cell;
-  for (const QString& head : heads_) {
-    painter.drawText(QRect(x, 0, cell - kPadding, metrics.height() + 2),
-                     Qt::AlignRight | Qt::AlignVCenter, head);
+  const int cell = cells_.cellWidth;
+  int x = body_->width() - kBetween - cells_.cells * cell;
+  for (const QString& head : heads_.mid(0, cells_.cells)) {
+    const QRect place(x, 0, cell - kPadding, metrics.height() + 2);
+    painter.drawText(place, Qt::AlignRight | Qt::AlignVCenter,
+                     metrics.elidedText(head, Qt::ElideRight, place.width()));
     x += cell;
   }
 }

@@ -1,51 +1,15 @@
 // The legend of a chart: a click on an entry hides or shows its curve. While cursors are set it is a table of
-// read-outs: the value at A, at B, and the difference.
+// read-outs: the value at A, at B, and the difference. Where it is narrow names come before read-outs: these move below
+// the name, and the last columns go.
 #pragma once
 
-#include <QAbstractButton>
 #include <QScrollArea>
 #include <QStringList>
 #include <vector>
 
-#include "ui/charts/chart_theme.h"
+#include "ui/charts/legend_item.h"
 
 namespace rotorbench {
-
-struct LegendEntry {
-  QString label;
-  QString tip;
-  CurveStyle style;
-  bool hidden = false;
-  QString channel;  ///< name to remove from the chart
-  bool operator==(const LegendEntry&) const = default;
-};
-
-/// One entry: a sample of the line, the name, and the read-outs as table cells.
-class LegendItem : public QAbstractButton {
-  Q_OBJECT
-
- public:
-  explicit LegendItem(QWidget* parent);
-  void setEntry(const LegendEntry& entry);
-  void setCells(const QStringList& cells, int cellWidth);
-  [[nodiscard]] const LegendEntry& entry() const { return entry_; }
-  [[nodiscard]] const QStringList& cells() const { return cells_; }
-  QSize sizeHint() const override;
-
- signals:
-  void menuAsked(QPoint globalPosition);
-  void removeAsked();
-
- protected:
-  void paintEvent(QPaintEvent*) override;
-  void keyPressEvent(QKeyEvent* event) override;
-  void contextMenuEvent(QContextMenuEvent* event) override;
-
- private:
-  LegendEntry entry_;
-  QStringList cells_;
-  int cellWidth_ = 0;
-};
 
 class ChartLegend : public QScrollArea {
   Q_OBJECT
@@ -73,7 +37,10 @@ class ChartLegend : public QScrollArea {
 
  private:
   void arrange();
-  [[nodiscard]] int cellWidth() const;
+  void fixSize(int content, int rowHeight);
+  [[nodiscard]] LegendPlace placeOf(const LegendItem& item, int room) const;
+  /// What all entries have in common where this many px are there for each.
+  void choosePlaces(int room);
   void paintHeads();
   void askMenu(LegendItem* item, QPoint globalPosition);
 
@@ -82,6 +49,8 @@ class ChartLegend : public QScrollArea {
   QStringList heads_;
   int mostHeight_ = 120;
   int columnWidth_ = 0;
+  bool shortNames_ = false;
+  LegendPlace cells_;   ///< of all entries, without lines
   int widestCell_ = 0;  ///< grows while cursors are set, so that columns stay in place
 };
 

@@ -96,7 +96,7 @@ void ChartPane::takeCurves() {
     const QString unit = prettyUnit(curve.y().unit);
     QString tip = QString::fromStdString(curve.y().description);
     if (!unit.isEmpty()) tip += QStringLiteral(" [%1]").arg(unit);
-    entries.push_back({curve.label, tip.trimmed(), curve.style, curve.hidden,
+    entries.push_back({curve.label, curve.shortLabel, tip.trimmed(), curve.style, curve.hidden,
                        QString::fromStdString(curve.y().name)});
   }
   legend_->setEntries(entries);
@@ -115,6 +115,8 @@ void ChartPane::updateHint() {
     hint = tr("Press Run (F5) to fill this chart.");
   } else if (curves_.curves.empty()) {
     hint = tr("The shown runs have no channel %1.").arg(QString::fromStdString(spec_.channels));
+    const QString reason = runs_->reasonOfAbsence(splitPatterns(spec_.channels));
+    if (!reason.isEmpty()) hint += u' ' + reason;
   }
   plot_->setHint(hint);
 }

@@ -1,5 +1,6 @@
 #include "ui/charts/curves.h"
 
+#include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>
 #include <map>
@@ -29,6 +30,60 @@ QString quantityOf(const std::vector<QString>& names) {
   }
   if (distinct.size() == 1) return distinct.first();
   return last.size() <= kMostQuantities ? last.join(QStringLiteral(", ")) : QString();
+}
+
+/// Each name without the parts that all begin and end with; at least one part of each is left. Empty if all are alike.
+std::map<QString, QString> toldApart(const QStringList& names, const QRegularExpression& separators,
+                                     const QString& joint) {
+  QList<QStringList> parts;
+  for (const QString& name : names) {
+    const QStringList some = name.split(separators, Qt::SkipEmptyParts);
+    if (some.isEmpty()) return {};
+    parts << some;
+  }
+  if (names.isEmpty() || names.count(names.front()) == names.size()) return {};
+  const auto removeCommon = [&parts](bool first) {
+    const auto end = [first](const QStringList& p) { return first ? p.front() : p.back(); };
+    const auto spare = [&](const QStringList& p) {
+      return p.size() > 1 && end(p) == end(parts.front());
+    };
+    while (std::ranges::all_of(parts, spare)) {
+      for (QStringList& p : parts) p.removeAt(first ? 0 : p.size() - 1);
+    }
+  };
+  removeCommon(true);
+  removeCommon(false);
+  std::map<QString, QString> shortened;
+  for (qsizetype i = 0; i < names.size(); ++i) shortened[names[i]] = parts[i].join(joint);
+  return shortened;
+}
+
+/// Labels, long and short, by what tells the curves apart.
+void setLabels(std::vector<Curve>& curves, bool severalRuns) {
+  // Where all show the same channel, the axis names it.
+  const bool severalChannels = std::ranges::any_of(
+      curves, [&](const Curve& curve) { return curve.y().name != curves.front().y().name; });
+  QStringList runNames, channelNames;
+  for (const Curve& curve : curves) {
+    runNames << curve.runName;
+    channelNames << QString::fromStdString(curve.y().name);
+  }
+  static const QRegularExpression phrases(QStringLiteral(", |: ")), steps(QStringLiteral("\\."));
+  const auto runs = toldApart(runNames, phrases, QStringLiteral(", "));
+  const auto channels = toldApart(channelNames, steps, QStringLiteral("."));
+  const auto shortOf = [](const std::map<QString, QString>& known, const QString& name) {
+    const auto at = known.find(name);
+    return at == known.end() ? name : at->second;
+  };
+  const QString colon = QStringLiteral(": ");
+  for (Curve& curve : curves) {
+    const QString name = QString::fromStdString(curve.y().name);
+    const QString run = shortOf(runs, curve.runName), channel = shortOf(channels, name);
+    curve.label = !severalRuns       ? name
+                  : !severalChannels ? curve.runName
+                                     : curve.runName + colon + name;
+    curve.shortLabel = !severalRuns ? channel : !severalChannels ? run : run + colon + channel;
+  }
 }
 
 /// Several runs: colour by run, dash by rotor or else by channel. One run: colour by channel.
@@ -89,7 +144,7 @@ CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCur
   for (const auto& run : runs.runs()) {
     if (!run.visible) continue;
     for (const auto& channels : resolveCurves(spec, run.recording->channels())) {
-      Curve curve{run.id, run.name, run.recording, channels.x, channels.y, {}, 0, {}, false};
+      Curve curve{run.id, run.name, run.recording, channels.x, channels.y, {}, {}, 0, {}, false};
       const auto at = std::find(list.units.begin(), list.units.end(), curve.y().unit);
       curve.axis = static_cast<std::size_t>(at - list.units.begin());
       if (at == list.units.end()) list.units.push_back(curve.y().unit);
@@ -101,16 +156,7 @@ CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCur
       std::any_of(list.curves.begin(), list.curves.end(),
                   [&](const Curve& curve) { return curve.runId != list.curves.front().runId; });
   setStyles(list.curves, severalRuns, runs, spec.markers);
-  // Where all show the same channel, the axis names it.
-  const bool severalChannels = std::any_of(
-      list.curves.begin(), list.curves.end(),
-      [&](const Curve& curve) { return curve.y().name != list.curves.front().y().name; });
-  for (auto& curve : list.curves) {
-    const QString name = QString::fromStdString(curve.y().name);
-    curve.label = !severalRuns       ? name
-                  : !severalChannels ? curve.runName
-                                     : curve.runName + QStringLiteral(": ") + name;
-  }
+  setLabels(list.curves, severalRuns);
   return list;
 }
 

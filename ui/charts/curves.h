@@ -19,6 +19,7 @@ struct Curve {
   std::shared_ptr<const Recording> recording;
   std::size_t xChannel = 0, yChannel = 0;
   QString label;  ///< as in the legend: the channel, after the run's name if several runs are shown
+  QString shortLabel;    ///< the same without what all curves of the chart have in common
   std::size_t axis = 0;  ///< index into the units of the chart
   CurveStyle style;
   bool hidden = false;

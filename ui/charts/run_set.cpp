@@ -78,6 +78,17 @@ std::vector<Channel> RunSet::channels() const {
   return all;
 }
 
+QString RunSet::reasonOfAbsence(const std::vector<std::string>& channels) const {
+  for (const ChartRun& run : runs_) {
+    if (!run.visible) continue;
+    for (const AbsentChannels& absent : run.absent) {
+      const auto begins = [&](const std::string& c) { return c.starts_with(absent.beginning); };
+      if (std::ranges::any_of(channels, begins)) return QString::fromStdString(absent.reason);
+    }
+  }
+  return {};
+}
+
 bool RunSet::growing() const {
   return std::any_of(runs_.begin(), runs_.end(),
                      [](const ChartRun& run) { return run.visible && !run.recording->finished(); });

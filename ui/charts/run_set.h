@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "sim/core/recording.h"
+#include "sim/experiment/simulation.h"
 #include "ui/charts/column_summary.h"
 
 namespace rotorbench {
@@ -19,7 +20,8 @@ struct ChartRun {
   QColor color;
   std::shared_ptr<const Recording> recording;
   bool visible = true;
-  bool measured = false;  ///< drawn as marks without a line
+  bool measured = false;                 ///< drawn as marks without a line
+  std::vector<AbsentChannels> absent{};  ///< what it has not, and why
 };
 
 class RunSet : public QObject {
@@ -41,6 +43,8 @@ class RunSet : public QObject {
 
   /// Channels of the visible runs, each name once, in order of appearance. The abscissa is among them.
   [[nodiscard]] std::vector<Channel> channels() const;
+  /// Why a visible run has not one of these channels or patterns, where it says so; else empty.
+  [[nodiscard]] QString reasonOfAbsence(const std::vector<std::string>& channels) const;
   /// True while a visible run may still grow.
   [[nodiscard]] bool growing() const;
   /// Summaries shared by all panes; belongs to the GUI thread.

@@ -87,8 +87,14 @@ bool ComponentPlace::use(const Component& component) {
   // The place may have gone since it was asked for.
   ways_.clear();
   findWays();
-  const auto way =
-      std::ranges::find_if(ways_, [&](const Way& w) { return w.kind->type == component.type; });
+  const auto fits = [&](const Way& w) { return w.kind->type == component.type; };
+  // Where several alternatives take it, the chosen one is meant.
+  const auto at = model_.find(path_);
+  const auto chosen = [&](const Way& w) {
+    return fits(w) && w.option && at->field->chosen(at->owner) == *w.option;
+  };
+  auto way = std::ranges::find_if(ways_, chosen);
+  if (way == ways_.end()) way = std::ranges::find_if(ways_, fits);
   if (way == ways_.end()) return false;
   const QString text = DocumentModel::tr("Use %1").arg(toQString(component.info.name));
   if (way->option) {

@@ -201,7 +201,7 @@ void RunDesk::fillRunSet() {
            : visible > 1       ? tr("%1 (%2)").arg(part, whose)
                                : part,
            outputs.size() > 1 ? runColor(record.id - 1 + static_cast<int>(i)) : record.color,
-           outputs[i].recording, record.visible, record.measured});
+           outputs[i].recording, record.visible, record.measured, outputs[i].absent});
     }
   }
   // The oldest first, so that the newest is drawn on top.

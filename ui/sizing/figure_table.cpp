@@ -35,9 +35,18 @@ QString withPower(QString number) {
   return number.left(e) + "\u00b710" + power;
 }
 
+/// Numbers as the rest of the window writes them.
+std::string localNumber(double value, int digits) {
+  const QString number = text(shortNumber(value, digits));
+  return withPower(number).replace('.', QLocale().decimalPoint()).toStdString();
+}
+
+QString read(const Sentence& sentence) {
+  return text(sentence.text(localNumber));
+}
+
 QString valueText(const Figure& figure) {
-  const QString number =
-      withPower(text(figureNumber(figure))).replace('.', QLocale().decimalPoint());
+  const QString number = text(figureNumber(figure, localNumber));
   if (std::isnan(figure.value) || figure.shownUnit == "1") return number;
   QString unit = text(figure.shownUnit);
   unit.replace("*", "\u00b7").replace("^2", "\u00b2").replace("Ohm", "\u03a9");
@@ -177,12 +186,12 @@ bool FigureTable::eventFilter(QObject* watched, QEvent* event) {
 QString FigureTable::detailOf(const Figure& figure) const {
   // Why there is no value matters more than how it would be worked out.
   const bool note = detail_ == Detail::Note || std::isnan(figure.value);
-  return text(note ? figure.note : figure.formula);
+  return read(note ? figure.note : figure.formula);
 }
 
 QString FigureTable::tipOf(const Figure& figure) const {
-  QStringList lines{text(figure.symbol + ": " + figure.formula)};
-  if (!figure.note.empty()) lines << text(figure.note);
+  QStringList lines{read(figure.symbol + ": " + figure.formula)};
+  if (!figure.note.empty()) lines << read(figure.note);
   if (!figure.source.empty()) lines << text(figure.source);
   return lines.join('\n');
 }
@@ -190,7 +199,7 @@ QString FigureTable::tipOf(const Figure& figure) const {
 void FigureTable::showWarnings() {
   QStringList lines;
   if (!problem_.isEmpty()) lines << problem_;
-  for (const auto& warning : sheet_.warnings) lines << "\u26a0 " + text(warning);
+  for (const auto& warning : sheet_.warnings) lines << "\u26a0 " + read(warning);
   warnings_->setText(lines.join('\n'));
   warnings_->setVisible(!lines.isEmpty());
   const auto severity =
@@ -206,7 +215,7 @@ void FigureTable::changeEvent(QEvent* event) {
 }
 
 void FigureTable::copyText() const {
-  QGuiApplication::clipboard()->setText(text(sheetText(sheet_)));
+  QGuiApplication::clipboard()->setText(text(sheetText(sheet_, localNumber)));
 }
 
 void FigureTable::copyCsv() const {

@@ -39,25 +39,28 @@ struct Shorten {
   void operator()(Flight& flight) const {
     flight.duration = 4.5 * flight.tick;
     limit(flight.solver);
-    if (auto* equal = std::get_if<EqualRotors>(&flight.vehicle.rotors)) coarsen(equal->rotor);
+    if (auto* equal = std::get_if<EqualRotors>(&flight.vehicle.rotors))
+      coarsen(equal->rotor.aerodynamics);
     if (auto* own = std::get_if<IndividualRotors>(&flight.vehicle.rotors)) {
-      for (RotorParameters& rotor : own->rotors) coarsen(rotor);
+      for (RotorParameters& rotor : own->rotors) coarsen(rotor.aerodynamics);
     }
   }
-  /// Blade elements and maps as coarse as they may be.
-  static void coarsen(RotorParameters& rotor) {
-    const auto coarse = [](BladeElementSettings& settings) {
-      settings.elements = std::min(settings.elements, 6);
-      settings.azimuths = std::min(settings.azimuths, 6);
-    };
-    if (auto* solved = std::get_if<BladeElementPropeller>(&rotor.aerodynamics))
-      coarse(solved->settings);
-    if (auto* mapped = std::get_if<MapPropeller>(&rotor.aerodynamics)) {
-      coarse(mapped->settings);
-      mapped->map.directions = mapped->map.sideDirections = 16;
-      mapped->map.reynoldsNumbers = mapped->map.sideReynoldsNumbers = mapped->map.sideAngles = 4;
-      mapped->map.sideRefinements = 0;
-    }
+  /// Blade elements and maps as coarse as they may be, of a flight's rotor or a propeller on the bench.
+  template <class Variant>
+  static void coarsen(Variant& propeller) {
+    std::visit(
+        [](auto& p) {
+          if constexpr (requires { p.settings; }) {
+            p.settings.elements = std::min(p.settings.elements, 6);
+            p.settings.azimuths = std::min(p.settings.azimuths, 6);
+          }
+          if constexpr (requires { p.map; }) {
+            p.map.directions = p.map.sideDirections = 16;
+            p.map.reynoldsNumbers = p.map.sideReynoldsNumbers = p.map.sideAngles = 4;
+            p.map.sideRefinements = 0;
+          }
+        },
+        propeller);
   }
   void operator()(BirotorMotion& motion) const {
     motion.duration = 4.5 * motion.sampleInterval;
@@ -77,6 +80,8 @@ struct Shorten {
   void operator()(PropellerBench& bench) const {
     bench.run.duration = 4.5 * bench.run.tick;
     bench.curves.points = std::min(bench.curves.points, 10);
+    coarsen(bench.propeller);
+    coarsen(bench.second);
   }
   void operator()(SolverComparison& comparison) const {
     comparison.duration = 4.5 * comparison.sampleInterval;

@@ -44,8 +44,8 @@ DataSheet x2216(double voltage) {
 }
 
 bool warns(const FigureSheet& sheet, const char* part) {
-  return std::ranges::any_of(sheet.warnings,
-                             [&](const auto& w) { return w.find(part) != std::string::npos; });
+  return std::ranges::any_of(
+      sheet.warnings, [&](const auto& w) { return w.text().find(part) != std::string::npos; });
 }
 
 }  // namespace

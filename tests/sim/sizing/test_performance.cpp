@@ -31,7 +31,7 @@ double value(const FigureSheet& sheet, const char* key) {
 }
 
 bool noteSays(const FigureSheet& sheet, const char* key, const char* part) {
-  return sheet.at(key).note.find(part) != std::string::npos;
+  return sheet.at(key).note.text().find(part) != std::string::npos;
 }
 
 /// A vehicle of published numbers whose motors reach exactly the largest speed given: no losses.
@@ -133,7 +133,7 @@ class TestPerformance : public QObject {
     const FigureSheet sheet = performanceSheet(flight.vehicle, flight.environment, settings);
     QVERIFY(near(value(sheet, "level.speed"), trim.speed, 1e-12));
     QVERIFY2(noteSays(sheet, "level.speed", qPrintable(limit)),
-             sheet.at("level.speed").note.c_str());
+             sheet.at("level.speed").note.text().c_str());
   }
 
   /// Without rotor drag: tan(theta) = drag/weight, so v_max at a tilt limit is sqrt(m g tan/c).

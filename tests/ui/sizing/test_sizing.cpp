@@ -2,6 +2,8 @@
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QMenu>
+#include <QRegularExpression>
+#include <QScopeGuard>
 #include <QUndoStack>
 #include <cmath>
 
@@ -77,6 +79,8 @@ class TestSizing : public QObject {
   void performanceIsCopied();
   void performanceWithoutAVehicleExplains();
   void lastColumnIsWholeInASmallDialog();
+  void figuresFollowTheLocale_data();
+  void figuresFollowTheLocale();
 
  private:
   QTemporaryDir folder_;
@@ -238,6 +242,65 @@ void TestSizing::lastColumnIsWholeInASmallDialog() {
     const QRect needed =
         table->fontMetrics().boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, text);
     QVERIFY2(needed.height() <= table->rowHeight(row) + 2, qPrintable(text));
+  }
+}
+
+void TestSizing::figuresFollowTheLocale_data() {
+  QTest::addColumn<QLocale>("locale");
+  QTest::addRow("German") << QLocale(QLocale::German, QLocale::Germany);
+  QTest::addRow("C") << QLocale::c();
+}
+
+/// Every number of both sheets, in cells, tool tips, warnings and the copied text, has the decimal sign of the locale; the
+/// CSV has points whatever the locale.
+void TestSizing::figuresFollowTheLocale() {
+  QFETCH(QLocale, locale);
+  const QLocale before;
+  QLocale::setDefault(locale);
+  const auto restore = qScopeGuard([&] { QLocale::setDefault(before); });
+  const bool comma = locale.decimalPoint() == ",";
+  const QRegularExpression wrong(comma ? "\\d\\.\\d" : "\\d,\\d");
+  const QRegularExpression right(comma ? "\\d,\\d" : "\\d\\.\\d");
+  MainWindow window;
+  showWindow(window);
+  openCard(window, "f450-hover-and-steps");
+  for (const char* action : {"toolDataSheet", "toolPerformance"}) {
+    auto* dialog = openTool<QDialog>(window, action);
+    QVERIFY(dialog != nullptr);
+    const char* group = action == QByteArray("toolDataSheet") ? "Full throttle" : "Thrust";
+    QTRY_VERIFY(!readValue(*dialog, group, "Thrust to weight").isEmpty());
+    QVERIFY(readValue(*dialog, group, "Thrust to weight").contains(right));
+    const auto* table = dialog->findChild<QTableWidget*>("figures");
+    int numbers = 0;
+    for (int row = 0; row < table->rowCount(); ++row) {
+      for (int c = 0; c < table->columnCount(); ++c) {
+        const auto* item = table->item(row, c);
+        if (item == nullptr) continue;
+        // Sources name chapters and figures by numbers of their own.
+        const QString tip = item->toolTip().section('\n', 0, 1).remove("figure 3.11");
+        QVERIFY2(!item->text().contains(wrong), qPrintable(item->text()));
+        QVERIFY2(!tip.contains(wrong), qPrintable(tip));
+        if (c == 3 && item->text().contains(right)) ++numbers;
+      }
+    }
+    QVERIFY(numbers > 0);
+    auto* copy = dialog->findChild<QPushButton*>(
+        action == QByteArray("toolDataSheet") ? "copyDataSheet" : "copyPerformanceText");
+    QTest::mouseClick(copy, Qt::LeftButton);
+    QVERIFY(QGuiApplication::clipboard()->text().contains(right));
+    QVERIFY(!QGuiApplication::clipboard()->text().contains(wrong));
+    if (auto* csv = dialog->findChild<QPushButton*>("copyPerformanceCsv")) {
+      QTest::mouseClick(csv, Qt::LeftButton);
+      QVERIFY(QGuiApplication::clipboard()->text().contains("Thrust,Thrust to weight,T/W,2.8"));
+    } else {
+      typeField(*dialog, "vehicle.mass", "3 kg");
+      QTRY_VERIFY(warnings(*dialog).contains("Full throttle gives only"));
+      QVERIFY2(warnings(*dialog).contains(right), qPrintable(warnings(*dialog)));
+      QVERIFY2(!warnings(*dialog).contains(wrong), qPrintable(warnings(*dialog)));
+    }
+    const QPointer<QDialog> closing(dialog);
+    dialog->close();
+    QTRY_VERIFY(closing.isNull());
   }
 }
 
