@@ -96,11 +96,7 @@ FitStart FitTarget::start() const {
   const schema::ConstRef root = experiment_.root();
   FitStart start;
   if (const auto* motor = objectIn<MotorParameters>(root)) start.motor = *motor;
-  if (const auto* esc = objectIn<EscParameters>(root)) {
-    start.escResistance = esc->resistance;
-  } else if (const auto* rotorEsc = objectIn<RotorEsc>(root)) {
-    start.escResistance = rotorEsc->resistance;
-  }
+  if (const auto* esc = objectIn<EscParameters>(root)) start.escResistance = esc->resistance;
   if (const auto* propeller = objectIn<PropellerGeometry>(root)) start.propeller = *propeller;
   if (const auto* settings = objectIn<BladeElementSettings>(root)) start.settings = *settings;
   if (const auto lumped = lumpedIn(root)) {
