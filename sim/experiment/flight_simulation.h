@@ -24,18 +24,21 @@ namespace rotorbench {
 /// speeds sets them itself for the tick from t to t + h in act(), brings derivative and forces up to date and tells
 /// whether anything jumped.
 template <class P, class Plant>
-concept FlightPilot = requires(const P& c, const Recording& recording,
-                               std::vector<Metric>& metrics, double* out) {
+concept FlightPilot = requires(const P& c, const Recording& recording, std::vector<Metric>& metrics,
+                               double* out) {
   { c.channels() } -> std::same_as<std::vector<Channel>>;
   c.row(out);
   c.figures(recording, metrics);
-} && (requires(P& p, const Plant& plant, const typename Plant::State& y,
-               const MultirotorForces<Plant::kRotors>& forces) {
-  { p.command(double{}, plant, y, forces) } -> std::convertible_to<typename Plant::Command>;
-} || requires(P& p, Plant& plant, typename Plant::State& y,
-              MultirotorForces<Plant::kRotors>& forces) {
-  { p.act(double{}, double{}, plant, y, y, forces) } -> std::same_as<bool>;
-});
+}
+&&(
+    requires(P& p, const Plant& plant, const typename Plant::State& y,
+             const MultirotorForces<Plant::kRotors>& forces) {
+      { p.command(double{}, plant, y, forces) } -> std::convertible_to<typename Plant::Command>;
+    } ||
+    requires(P & p, Plant& plant, typename Plant::State& y,
+             MultirotorForces<Plant::kRotors>& forces) {
+      { p.act(double{}, double{}, plant, y, y, forces) } -> std::same_as<bool>;
+    });
 
 /// Figures of any flight: peaks, energy and what is left of it, where it ended.
 void addFlightFigures(const Recording& recording, const Supply& supply,
@@ -110,8 +113,7 @@ class FlightSimulation final : public SimulationBase {
 
   static std::array<double, kRotors> deadTimes(const MultirotorConstants<kRotors>& constants) {
     std::array<double, kRotors> times{};
-    for (std::size_t i = 0; kMotors && i < times.size(); ++i)
-      times[i] = constants.hubs[i].deadTime;
+    for (std::size_t i = 0; kMotors && i < times.size(); ++i) times[i] = constants.hubs[i].deadTime;
     return times;
   }
 

@@ -25,14 +25,16 @@ void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
       .range(atLeast(0), upTo(10))
       .shownIn("mOhm")
       .help("Of the switches that carry the motor's current; 0 where the motor's holds it.")
-      .source("Assumption: two switches of a few milliohm each. 0 in a new vehicle: the E305's "
-              "published resistance holds winding and speed controller");
+      .source(
+          "Assumption: two switches of a few milliohm each. 0 in a new vehicle: the E305's "
+          "published resistance holds winding and speed controller");
   b.number("responseTime", &P::responseTime, "Response time", "T_esc", "s")
       .range(atLeast(0), upTo(10))
       .shownIn("ms")
       .help("The duty follows the throttle with this lag; 0 for none.")
-      .source("Assumption: ramps of common firmware are of this order. 0 in a new vehicle: short "
-              "beside the rotor's own");
+      .source(
+          "Assumption: ramps of common firmware are of this order. 0 in a new vehicle: short "
+          "beside the rotor's own");
   b.number("deadTime", &P::deadTime, "Dead time", "T_d", "s")
       .range(atLeast(0), upTo(1))
       .shownIn("ms")
@@ -41,14 +43,16 @@ void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
       .advanced();
   b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
       .range(above(0), upTo(1e5))
-      .help("Kept by limiting the voltage to the band of R i_max around the back-EMF. The lower one "
-            "of this and the motor's holds.")
+      .help(
+          "Kept by limiting the voltage to the band of R i_max around the back-EMF. The lower one "
+          "of this and the motor's holds.")
       .source("The continuous rating of a 30 A controller");
   b.boolean("reverse", &P::reverse, "Reversible")
       .help("Negative throttle turns the motor backwards.");
   b.boolean("activeBraking", &P::activeBraking, "Active braking")
-      .help("Without it a motor that turns the way it is driven is never slowed electrically, and "
-            "no current flows back.");
+      .help(
+          "Without it a motor that turns the way it is driven is never slowed electrically, and "
+          "no current flows back.");
 }
 
 }  // namespace rotorbench

@@ -94,8 +94,8 @@ template <class S>
   using Lanes = LanesOf<S>;
   for (int i = 0; i < N; ++i) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-    at.voltage[i] = hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]),
-                                    S(back[i]));
+    at.voltage[i] =
+        hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
   // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
   // root being the stable one.

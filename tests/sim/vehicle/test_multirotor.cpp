@@ -263,8 +263,8 @@ void TestMultirotor::mirroredVehicleMovesMirrored() {
   std::get<EqualRotors>(v.rotors).rotor.esc.responseTime = 0.01;
   const Driven plant(buildMultirotor<4>(v, {}));
   Driven::State y, z, dy, dz;
-  y << 400, 450, 500, 550, 5, 6, 7, 8, 0.4, 0.5, 0.6, 0.7, 0.9, 0.3, -0.2, 0.25, 0.01, -0.02, 0.03, 1, 2, -3, 4, 5, 6,
-      0, 0, 0;
+  y << 400, 450, 500, 550, 5, 6, 7, 8, 0.4, 0.5, 0.6, 0.7, 0.9, 0.3, -0.2, 0.25, 0.01, -0.02, 0.03,
+      1, 2, -3, 4, 5, 6, 0, 0, 0;
   plant.afterStep(y);
   const auto mirrored = [](const Driven::State& s) {
     Driven::State r = s;

@@ -105,8 +105,7 @@ class TestMultirotorEsc : public QObject {
     }
     for (std::size_t i = 0; i < 2; ++i) {
       const double order = std::log2(errors[i] / errors[i + 1]);
-      QVERIFY2(order > 3.5 && order < 5.0,
-               qPrintable(QString("%1: %2").arg(order).arg(errors[i])));
+      QVERIFY2(order > 3.5 && order < 5.0, qPrintable(QString("%1: %2").arg(order).arg(errors[i])));
     }
   }
 
