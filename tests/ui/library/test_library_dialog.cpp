@@ -275,7 +275,7 @@ void TestLibraryDialog::speedControllersOfAVehicle() {
     const auto& vehicle = std::get<Flight>(b.model.as<Experiment>().setup).vehicle;
     return std::get<EqualRotors>(vehicle.rotors).rotor.esc;
   };
-  const QString section = "setup.vehicle.rotors", place = "setup.vehicle.rotors.rotor.esc";
+  const QString section = "setup.vehicle.rotors.rotor", place = "setup.vehicle.rotors.rotor.esc";
   LibraryDialog* dialog = bench.open(section, place);
   QVERIFY(dialog != nullptr);
   QVERIFY(names(dialog).size() >= 6);
