@@ -109,7 +109,7 @@ class ExponentialRk4 {
   }
   template <class Function>
   void forPairs(Function&& function) const {
-    for (int i = 0; i < kPairs; ++i) {
+    for (int i = 0; i < pairs_; ++i) {
       const auto [a, b] = System::pair(i);
       const auto p = static_cast<std::size_t>(i);
       function(Place{p, a, b}, kept_[current_].pairs[p]);
@@ -136,9 +136,11 @@ class ExponentialRk4 {
     current_ = oldest_;
     oldest_ = (oldest_ + 1) % kKept;
     kept_[current_].step = h;
+    pairs_ = 0;
     for (int i = 0; i < kPairs; ++i) {
       const auto p = static_cast<std::size_t>(i);
       linear_[p] = f.linear(i);
+      if (!linear_[p].isZero(0)) pairs_ = i + 1;
       kept_[current_].pairs[p] = pairConstants(linear_[p], h);
     }
   }
@@ -147,6 +149,8 @@ class ExponentialRk4 {
   std::array<Eigen::Matrix2d, kPairs> linear_{};
   std::array<Constants, kKept> kept_{};
   std::size_t current_ = 0, oldest_ = 0;
+  int pairs_ =
+      kPairs;  ///< the first so many; of those behind every A is 0, and RK4 serves them as well
   bool startKnown_ = false;
   std::int64_t evaluations_ = 0;
 };
