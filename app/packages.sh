@@ -6,7 +6,7 @@
 build_packages=(
   cmake ninja-build g++ mold
   qt6-base-dev qt6-charts-dev qt6-3d-dev qt6-svg-dev libqt6opengl6-dev libgl-dev
-  libeigen3-dev nlohmann-json3-dev libcli11-dev libceres-dev
+  libeigen3-dev nlohmann-json3-dev libcli11-dev libceres-dev zlib1g-dev
 )
 # shellcheck disable=SC2034
 run_packages=(

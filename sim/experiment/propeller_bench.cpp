@@ -180,9 +180,7 @@ void PropellerBenchSimulation::addCurves(const OutputSettings& outputs) {
        {"edgewise.torque", "N*m", "Torque against the rotation"},
        {"edgewise.power", "W", "Power on the shaft"},
        {"edgewise.drag", "N", "In-plane force against the motion of the hub (H-force)"},
-       {"edgewise.side", "N", "In-plane force across the motion of the hub"},
-       {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"},
-       {"edgewise.pitch", "N*m", "Hub moment, thrust along the motion of the hub"}},
+       {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"}},
       at_.points, &Sim::edgewise);
 }
 
@@ -217,7 +215,7 @@ void PropellerBenchSimulation::edgewise(Recording& r, double place) {
   const double v = ratio * at_.speed * rotor_.radius();
   const ObliqueLoad load = rotor_.oblique(at_.speed, at_.airSpeed, v, air_);
   r.append(std::array{ratio, v, load.thrust, load.torque, load.torque * at_.speed, load.drag,
-                      load.side, load.rollMoment, load.pitchMoment});
+                      load.rollMoment});
 }
 
 MetricTable PropellerBenchSimulation::metrics() const {

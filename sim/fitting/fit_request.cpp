@@ -1,5 +1,7 @@
 #include "sim/fitting/fit_request.h"
 
+#include "sim/core/number_text.h"
+
 namespace rotorbench {
 
 MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
@@ -41,11 +43,35 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start) {
 
 namespace {
 
+/// A; 0 where none is given and the experiment has none.
+double limitOf(const LimitedRows& limited, const FitStart& start) {
+  return limited.currentLimit > 0 ? limited.currentLimit : start.currentLimit;
+}
+
+/// The setup of a motor fit that leaves out the limited rows, whether it is asked to or not.
+MotorFitSetup limitedSetup(const MotorFitRequest& request, const LimitedRows& limited,
+                           const FitStart& start) {
+  MotorFitSetup setup = setupOf(request, start);
+  setup.currentLimit = limitOf(limited, start);
+  setup.nearLimit = limited.nearLimit;
+  return setup;
+}
+
+MotorFitSetup motorSetup(const MotorFitRequest& request, const LimitedRows& limited,
+                         const FitStart& start) {
+  return limited.leaveOut ? limitedSetup(request, limited, start) : setupOf(request, start);
+}
+
 struct Missing {
   const MeasuredTable& table;
   const FitStart& start;
+  const LimitedRows& limited;
   std::vector<std::string> operator()(const MotorFitRequest& r) const {
-    return missingForMotorFit(table, setupOf(r, start));
+    std::vector<std::string> missing = missingForMotorFit(table, motorSetup(r, limited, start));
+    if (limited.leaveOut && !(limitOf(limited, start) > 0)) {
+      missing.emplace_back("The experiment has no current limit; give the one of the stand.");
+    }
+    return missing;
   }
   std::vector<std::string> operator()(const PropellerFitRequest& r) const {
     return missingForPropellerFit(table, setupOf(r, start));
@@ -58,8 +84,9 @@ struct Missing {
 struct ProblemOf {
   const MeasuredTable& table;
   const FitStart& start;
+  const LimitedRows& limited;
   FitProblem operator()(const MotorFitRequest& r) const {
-    return motorFitProblem(table, setupOf(r, start));
+    return motorFitProblem(table, motorSetup(r, limited, start));
   }
   FitProblem operator()(const PropellerFitRequest& r) const {
     return propellerFitProblem(table, setupOf(r, start));
@@ -73,11 +100,26 @@ struct ProblemOf {
 
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start) {
-  return std::visit(Missing{table, start}, request.what);
+  return std::visit(Missing{table, start, request.limited}, request.what);
+}
+
+std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
+                            const FitStart& start) {
+  const auto* motor = std::get_if<MotorFitRequest>(&request.what);
+  if (motor == nullptr) return {};
+  const MotorFitSetup setup = limitedSetup(*motor, request.limited, start);
+  if (!(setup.currentLimit > 0) || !missingForMotorFit(table, setupOf(*motor, start)).empty())
+    return {};
+  const MotorFitRows rows = motorFitRows(table, setup);
+  const bool leaveOut = request.limited.leaveOut;
+  if (rows.limited == 0 && !leaveOut) return {};
+  return std::to_string(rows.limited) + " of " + std::to_string(rows.used + rows.limited) +
+         " rows " + (leaveOut ? "are left out" : "could be left out") +
+         ": they are at or near the current limit of " + numberText(setup.currentLimit) + " A.";
 }
 
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start) {
-  return std::visit(ProblemOf{table, start}, request.what);
+  return std::visit(ProblemOf{table, start, request.limited}, request.what);
 }
 
 void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
@@ -143,12 +185,29 @@ void Describe<RotorFitRequest>::fields(schema::Builder<RotorFitRequest>& b) {
       .help("In which was measured.");
 }
 
+void Describe<LimitedRows>::fields(schema::Builder<LimitedRows>& b) {
+  using R = LimitedRows;
+  b.title("limited-rows", "Rows at the current limit",
+          "There a motor gets less than the throttle asks for. For motor constants only.");
+  b.boolean("leaveOut", &R::leaveOut, "Leave them out");
+  b.number("currentLimit", &R::currentLimit, "Current limit", "i_max", "A")
+      .range(schema::atLeast(0), schema::upTo(1e4))
+      .help(
+          "Of the motor current. 0: the smaller one of the experiment's motor and speed "
+          "controller.");
+  b.number("nearLimit", &R::nearLimit, "Near the limit from", "", "1")
+      .range(schema::above(0), schema::upTo(1))
+      .shownIn("%")
+      .help("Part of the limit from which a row, and all of more throttle, are left out.");
+}
+
 void Describe<FitRequest>::fields(schema::Builder<FitRequest>& b) {
   b.title("fit", "Fit", "What is to be found from the measured data.",
           "Seber, Wild, Nonlinear Regression, 1989; Ceres Solver");
   b.variant("what", &FitRequest::what, "Fit");
   b.boolean("robust", &FitRequest::robust, "Outliers count less")
       .help("Beyond two sigma a residual counts linearly instead of squared.");
+  b.group("limited", &FitRequest::limited, "Rows at the current limit");
 }
 
 }  // namespace rotorbench

@@ -38,9 +38,18 @@ struct RotorFitRequest {
   bool operator==(const RotorFitRequest&) const = default;
 };
 
+/// Rows of a motor fit in which the current limit holds the motor back (motor_fit.h).
+struct LimitedRows {
+  bool leaveOut = false;
+  double currentLimit = 0;  ///< A, of the motor; 0: that of the experiment
+  double nearLimit = 0.9;   ///< part of the limit from which a row counts as limited
+  bool operator==(const LimitedRows&) const = default;
+};
+
 struct FitRequest {
   std::variant<MotorFitRequest, PropellerFitRequest, RotorFitRequest> what;
   bool robust = false;
+  LimitedRows limited;
   bool operator==(const FitRequest&) const = default;
 };
 
@@ -48,6 +57,7 @@ struct FitRequest {
 struct FitStart {
   MotorParameters motor;
   double escResistance = 0;         ///< Ohm
+  double currentLimit = 0;          ///< A, of the motor current; 0: not known
   double torqueCoefficient = 1e-7;  ///< k_m, N m s^2
   double thrustCoefficient = 1e-5;  ///< k_f, N s^2
   PropellerGeometry propeller;
@@ -61,6 +71,10 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start);
 /// What the table lacks, one sentence each; empty if the fit can be done.
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start);
+/// How many rows a motor fit leaves out at the current limit, or could leave out; empty for other fits, where a limit is
+/// not known, and where something is missing.
+std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
+                            const FitStart& start);
 /// Throws InputError with those sentences.
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start);
 
@@ -75,6 +89,10 @@ struct Describe<PropellerFitRequest> {
 template <>
 struct Describe<RotorFitRequest> {
   static void fields(schema::Builder<RotorFitRequest>& b);
+};
+template <>
+struct Describe<LimitedRows> {
+  static void fields(schema::Builder<LimitedRows>& b);
 };
 template <>
 struct Describe<FitRequest> {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
+#include <limits>
 
 #include "sim/core/error.h"
 #include "sim/fitting/measured_rows.h"
@@ -15,11 +15,19 @@ namespace {
 constexpr double kFull = 0.999;
 /// Rows below this speed, rad/s, are a motor at rest.
 constexpr double kTurning = 10;
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
 struct Row {
   double throttle = 0, voltage = 0, current = 0, speed = 0;
   double torque = 0;  ///< N m that does not follow from the speed
+  double motorCurrent = kNotMeasured;
   bool dutyKnown = false;
+
+  /// A, of the motor, or the least it can be.
+  [[nodiscard]] double leastMotorCurrent() const {
+    if (std::isfinite(motorCurrent)) return std::abs(motorCurrent);
+    return std::abs(dutyKnown ? current / throttle : current);
+  }
 };
 
 /// A motor and the k_m of its load, as the fit moves them.
@@ -96,10 +104,13 @@ std::vector<std::string_view> columnsFor(const MotorFitSetup& setup) {
   return keys;
 }
 
-std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) {
+/// All rows of a turning motor.
+std::vector<Row> turningRows(const MeasuredTable& table, const MotorFitSetup& setup) {
+  constexpr std::string_view kAlso[]{"motor.current"};
   std::vector<Row> rows;
-  for (const std::vector<double>& values : finiteRows(table, columnsFor(setup))) {
+  for (const std::vector<double>& values : finiteRows(table, columnsFor(setup), kAlso)) {
     Row row{.throttle = 1, .voltage = values[1], .current = values[2], .speed = values[0]};
+    row.motorCurrent = values.back();
     std::size_t next = 3;
     if (setup.duty != DutyFrom::Unknown) row.throttle = values[next++];
     if (setup.torque == ShaftTorque::Measured) row.torque = std::abs(values[next]);
@@ -109,6 +120,23 @@ std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) 
                     (setup.duty == DutyFrom::FullThrottle && row.throttle >= kFull);
     if (row.speed > kTurning && row.voltage > 0 && row.throttle > 0) rows.push_back(row);
   }
+  return rows;
+}
+
+/// Without those at the current limit.
+std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) {
+  std::vector<Row> rows = turningRows(table, setup);
+  if (!(setup.currentLimit > 0)) return rows;
+  const double least = setup.nearLimit * setup.currentLimit;
+  double throttle = std::numeric_limits<double>::infinity();  // from which the limit acts
+  for (const Row& row : rows) {
+    const bool derived = !std::isfinite(row.motorCurrent) && setup.duty != DutyFrom::Unknown;
+    if (derived && row.leastMotorCurrent() >= least) throttle = std::min(throttle, row.throttle);
+  }
+  std::erase_if(rows, [&](const Row& row) {
+    return row.leastMotorCurrent() >= least ||
+           (!std::isfinite(row.motorCurrent) && row.throttle >= throttle);
+  });
   return rows;
 }
 
@@ -182,10 +210,16 @@ std::vector<std::string> missingForMotorFit(const MeasuredTable& table,
   const std::vector<Row> rows = rowsOf(table, setup);
   if (rows.size() < choices.size()) {
     missing.push_back("Only " + std::to_string(rows.size()) +
-                      " rows hold all the needed columns and a turning motor; at least " +
+                      " rows hold all the needed columns and a turning motor" +
+                      (setup.currentLimit > 0 ? " below the current limit" : "") + "; at least " +
                       std::to_string(choices.size()) + " are needed.");
   }
   return missing;
+}
+
+MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& setup) {
+  const std::size_t used = rowsOf(table, setup).size();
+  return {used, turningRows(table, setup).size() - used};
 }
 
 FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& setup) {

@@ -3,7 +3,8 @@
 //   shaft      K i = friction(w) + Q                             friction from I0 and its viscous share (motor.h)
 // Where the duty of a row is known, speed and supply current are predicted from it; where it is not, the supply current
 // from the measured speed by the power V I = R i^2 + K w i, which needs no duty. Rows that accelerate are not steady:
-// logs with steps should be cut to their plateaus.
+// logs with steps should be cut to their plateaus. Rows in which a current limit holds the motor back do not follow these
+// equations, for the duty is less than the throttle; they can be left out.
 #pragma once
 
 #include <string>
@@ -40,7 +41,19 @@ struct MotorFitSetup {
   bool fitSpeedConstant = true, fitResistance = true, fitNoLoadCurrent = true;
   bool fitViscousShare = false;
   bool fitTorqueCoefficient = true;  ///< for ShaftTorque::Propeller
+  double currentLimit = 0;           ///< A, of the motor current; 0: no rows are left out for it
+  double nearLimit = 0.9;            ///< part of the limit from which a row is left out
 };
+
+/// How many rows of a turning motor the fit uses, and how many the current limit took away.
+struct MotorFitRows {
+  std::size_t used = 0, limited = 0;
+};
+
+/// A row is at the limit by its motor current, where that was measured; else by the supply current over the duty, or over 1
+/// where the duty is not known, which is the least the motor current can be. Beyond the limit that quotient falls, so that
+/// then all rows of as much throttle or more count as limited. Precondition: nothing is missing.
+MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& setup);
 
 /// What the table lacks for this fit, one sentence each; empty if it can be done.
 std::vector<std::string> missingForMotorFit(const MeasuredTable& table, const MotorFitSetup& setup);

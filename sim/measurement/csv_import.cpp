@@ -4,12 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <set>
 
 #include "sim/core/number_text.h"
-#include "sim/core/units.h"
 #include "sim/io/csv_cells.h"
 #include "sim/measurement/table_rows.h"
+#include "sim/measurement/time_text.h"
 
 namespace rotorbench {
 
@@ -21,16 +20,6 @@ Problem warning(std::string path, std::string what, std::string then) {
   return {std::move(path), std::move(what), std::move(then), true};
 }
 
-std::string times(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-std::string firstAt(const Occurrences& found) {
-  std::string text = " (first in line " + std::to_string(found.firstLine);
-  if (!found.example.empty()) text += ": " + inQuotes(found.example);
-  return text + ")";
-}
-
 /// One column on its way into the table.
 struct Taken {
   std::size_t source = 0;  ///< column of the file
@@ -38,37 +27,27 @@ struct Taken {
   Channel channel;
   UnitConversion conversion;
   double scale = 1, offset = 0;
-  Occurrences texts;
-  std::size_t numbers = 0;
+  bool isTime = false;
+  TimeLine clock{};
+  Occurrences texts{};
+  std::size_t numbers = 0, times = 0;
 
-  [[nodiscard]] double si(double written) const {
-    return conversion.toSi(scale * written + offset);
+  /// The number in a cell, or the seconds of a time as text; empty where the column holds the other of the two.
+  std::optional<double> written(std::string_view cell, bool comma) {
+    if (const auto number = readCell(cell, comma)) return times == 0 ? number : std::nullopt;
+    if (!isTime || numbers > times) return {};
+    const auto seconds = clock.read(cell);
+    times += seconds ? 1 : 0;
+    return seconds;
   }
+  [[nodiscard]] double si(double value) const { return conversion.toSi(scale * value + offset); }
 };
-
-Channel channelOf(const ColumnMapping& column, ChannelGroup group) {
-  if (const Quantity* quantity = findQuantity(column.quantity)) {
-    return {channelName(*quantity, group), std::string(quantity->unit),
-            std::string(quantity->label) + ", measured"};
-  }
-  const Unit* unit = findUnit(column.unit);
-  const std::string si =
-      unit != nullptr ? std::string(unit->dimension) : canonicalUnit(column.unit);
-  return {column.channel.empty() ? column.column : column.channel, si, "Measured"};
-}
-
-UnitConversion conversionOf(const ColumnMapping& column) {
-  if (const Quantity* quantity = findQuantity(column.quantity)) {
-    return conversionOf(*quantity, column.unit).value_or(UnitConversion{});
-  }
-  const Unit* unit = findUnit(column.unit);
-  return {unit != nullptr ? unit->factor : 1, 0};
-}
 
 class Importer {
  public:
   Importer(const TextLines& lines, const ImportSettings& settings)
-      : rows_(lines, settings.layout),
+      : lines_(lines),
+        rows_(lines, settings.layout),
         settings_(settings),
         comma_(settings.layout.decimalMark == DecimalMark::Comma) {
     result_.table.source = lines.source();
@@ -102,8 +81,7 @@ class Importer {
                   conversionOf(column),
                   column.scale,
                   column.offset,
-                  {},
-                  0};
+                  column.quantity == "time"};
       taken_.insert(column.quantity == abscissa ? taken_.begin() : taken_.end(), std::move(taken));
       hasAbscissa_ = hasAbscissa_ || column.quantity == abscissa;
     }
@@ -141,11 +119,12 @@ class Importer {
     }
   }
 
-  double numberIn(const std::vector<std::string>& cells, Taken& column, std::size_t line) const {
+  [[nodiscard]] double numberIn(const std::vector<std::string>& cells, Taken& column,
+                                std::size_t line) const {
     if (column.source >= cells.size()) return kNothing;
     const std::string_view cell = trimmedCell(cells[column.source]);
     if (cell.empty()) return kNothing;
-    const auto written = readCell(cell, comma_);
+    const auto written = column.written(cell, comma_);
     const double value = written ? column.si(*written) : kNothing;
     if (!std::isfinite(value)) {
       column.texts.add(line, excerpt(cell));
@@ -166,6 +145,7 @@ class Importer {
   }
 
   void report() {
+    result_.problems = lines_.notes();
     if (rowsRead_ == 0) {
       result_.problems.push_back({{},
                                   "there are no rows below the names",
@@ -182,20 +162,29 @@ class Importer {
          "rows have no number in the chosen columns", "left out");
     note(withoutAbscissa_, "row has no value for the horizontal axis",
          "rows have no value for the horizontal axis", "left out");
-    note(backwards_, "row goes back on the horizontal axis", "rows go back on the horizontal axis",
-         "rows are sorted by it");
+    // The rows of a propeller come in curves, one after the other.
+    if (settings_.group != ChannelGroup::OverAdvance) {
+      note(backwards_, "row goes back on the horizontal axis",
+           "rows go back on the horizontal axis", "rows are sorted by it");
+    }
     for (const Taken& column : taken_) reportColumn(column);
   }
 
   void reportColumn(const Taken& column) {
     const std::string path = "column " + inQuotes(column.name);
+    const std::string& example = column.texts.example;
     if (column.texts.count > 0) {
       std::string then = "taken as empty";
-      if (!comma_ && readCell(column.texts.example, true)) then += "; is the decimal mark a comma?";
-      result_.problems.push_back(warning(path,
-                                         times(column.texts.count, "cell is", "cells are") +
-                                             " not a number" + firstAt(column.texts),
-                                         then));
+      if (!comma_ && !readCell(example, false) && readCell(example, true)) {
+        then += "; is the decimal mark a comma?";
+      }
+      if (column.isTime && resemblesTime(example)) {
+        then += "; times are read as 2024-03-01T12:00:00.25 or 12:00:00.25";
+      }
+      const char* what = column.times > 0 ? " not a time like the first one" : " not a number";
+      result_.problems.push_back(warning(
+          path, times(column.texts.count, "cell is", "cells are") + what + firstAt(column.texts),
+          then));
     }
     if (column.numbers == 0 && rowsRead_ > 0) {
       result_.problems.push_back(warning(path, "no cell holds a number", {}));
@@ -224,6 +213,7 @@ class Importer {
     }
   }
 
+  const TextLines& lines_;
   TableRows rows_;
   const ImportSettings& settings_;
   bool comma_;
@@ -235,28 +225,6 @@ class Importer {
   std::size_t rowsRead_ = 0;
   Occurrences tooShort_, tooWide_, withoutNumbers_, withoutAbscissa_, backwards_;
 };
-
-void checkColumn(const ColumnMapping& column, const CsvPreview& preview,
-                 std::vector<Problem>& problems) {
-  const std::string path = "column " + inQuotes(column.column);
-  if (std::ranges::find(preview.columns, column.column, &PreviewColumn::name) ==
-      preview.columns.end()) {
-    problems.push_back({path, "the table has no such column", {}});
-  }
-  if (!std::isfinite(column.scale) || !std::isfinite(column.offset) || column.scale == 0) {
-    problems.push_back(
-        {path, "the scale or the offset cannot be used", "must be finite, the scale not 0"});
-  }
-  if (column.quantity == kOtherQuantity) return;
-  const Quantity* quantity = findQuantity(column.quantity);
-  if (quantity == nullptr) {
-    problems.push_back({path, "the quantity " + excerpt(column.quantity) + " is not known", {}});
-  } else if (!conversionOf(*quantity, column.unit)) {
-    const std::string unit = column.unit.empty() ? "no unit" : "the unit " + excerpt(column.unit);
-    problems.push_back({path, unit + " does not fit " + std::string(quantity->label),
-                        "must convert to " + std::string(quantity->unit)});
-  }
-}
 
 }  // namespace
 
@@ -270,36 +238,6 @@ ImportSettings guessSettings(const TextLines& lines) {
   settings.columns = guessMapping(previewOf(lines, settings.layout));
   settings.group = guessGroup(settings.columns);
   return settings;
-}
-
-std::vector<Problem> checkSettings(const ImportSettings& settings, const CsvPreview& preview) {
-  std::vector<Problem> problems;
-  if (preview.rows == 0) {
-    problems.push_back(
-        {{}, "there are no rows below the names", "check the line of names and the lines to skip"});
-    return problems;
-  }
-  std::set<std::string> names;
-  bool abscissa = settings.group == ChannelGroup::Run;
-  for (const ColumnMapping& column : settings.columns) {
-    if (column.quantity.empty()) continue;
-    checkColumn(column, preview, problems);
-    abscissa = abscissa || column.quantity == abscissaOf(settings.group).key;
-    const std::string name = channelOf(column, settings.group).name;
-    if (!names.insert(name).second) {
-      problems.push_back({"column " + inQuotes(column.column), excerpt(name) + " is chosen twice",
-                          "each quantity belongs to one column"});
-    }
-  }
-  if (names.empty()) {
-    problems.push_back({{}, "no column is chosen", "choose what at least one column is"});
-  } else if (!abscissa) {
-    const std::string label(abscissaOf(settings.group).label);
-    problems.push_back({{},
-                        "no column is chosen as " + label,
-                        "it is the horizontal axis of what this is compared with"});
-  }
-  return problems;
 }
 
 ImportResult importTable(const TextLines& lines, const ImportSettings& settings) {

@@ -8,6 +8,7 @@
 #include "sim/measurement/import_settings.h"
 #include "sim/measurement/table_rows.h"
 #include "sim/measurement/text_lines.h"
+#include "sim/measurement/time_text.h"
 
 namespace rotorbench {
 
@@ -34,7 +35,7 @@ std::vector<Cut> cutsOf(const TextLines& lines, Separator separator) {
     for (const std::string& cell : cells) {
       if (trimmedCell(cell).empty()) continue;
       ++cut.filled;
-      if (readCell(cell, true)) ++cut.numbers;
+      if (readCell(cell, true) || readTimeText(cell)) ++cut.numbers;
     }
     cuts.push_back(cut);
   }
@@ -107,7 +108,7 @@ DecimalMark guessMark(const TextLines& lines, const CsvLayout& layout) {
 
 void addColumns(std::vector<PreviewColumn>& columns, std::size_t count) {
   while (columns.size() < std::min(count, kMaxCsvColumns)) {
-    columns.push_back({"column " + std::to_string(columns.size() + 1), {}, {}, 0, 0, 0});
+    columns.push_back({"column " + std::to_string(columns.size() + 1), {}, {}, 0, 0, 0, 0});
   }
 }
 
@@ -184,7 +185,10 @@ CsvPreview previewOf(const TextLines& lines, const CsvLayout& layout, std::size_
     for (const std::vector<std::string>& row : head) {
       const std::string_view cell = c < row.size() ? trimmedCell(row[c]) : std::string_view();
       column.cells.push_back(excerpt(cell));
-      ++(cell.empty() ? column.empty : readCell(cell, comma) ? column.numbers : column.texts);
+      ++(cell.empty()            ? column.empty
+         : readCell(cell, comma) ? column.numbers
+         : readTimeText(cell)    ? column.times
+                                 : column.texts);
     }
   }
   return preview;

@@ -7,6 +7,7 @@
 #include "sim/core/units.h"
 #include "sim/io/csv_cells.h"
 #include "sim/measurement/import_settings.h"
+#include "sim/measurement/time_text.h"
 
 namespace rotorbench {
 
@@ -59,6 +60,7 @@ constexpr std::array kHints{
     Hint{"motor efficiency", "efficiency"},
     Hint{"efficiency", "efficiency"},
     Hint{"eta", "efficiency", true},
+    Hint{"pe", "efficiency", true},
     Hint{"overall efficiency", "thrust_per_power"},
     Hint{"eff_g_per_w", "thrust_per_power"},
     Hint{"j", "advance_ratio", true},
@@ -133,10 +135,20 @@ struct Candidate {
   ColumnMapping mapping;
 };
 
+/// Cells that are times as text, or are meant to be: a time, though any column of numbers is the better one.
+bool isTimeText(const PreviewColumn& column, const std::string& name) {
+  if (column.numbers > 0) return false;
+  const bool named = name.find("time") != std::string::npos || name == "t";
+  return column.times > column.texts ||
+         (named &&
+          std::ranges::any_of(column.cells, [](const auto& c) { return resemblesTime(c); }));
+}
+
 Candidate bestFor(const PreviewColumn& column) {
   Candidate best;
   best.mapping.column = column.name;
   best.mapping.unit = column.unit;
+  if (isTimeText(column, lowered(column.name))) return {1, {column.name, "time", "s", {}, 1, 0}};
   if (column.numbers == 0) return best;
   const std::string name = lowered(column.name);
   if (name.find("temp") != std::string::npos) {

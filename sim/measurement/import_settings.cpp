@@ -1,5 +1,6 @@
 #include "sim/measurement/import_settings.h"
 
+#include "sim/core/units.h"
 #include "sim/io/csv_cells.h"
 
 namespace rotorbench {
@@ -18,6 +19,25 @@ char separatorSign(Separator separator) {
       return '|';
   }
   return ',';
+}
+
+Channel channelOf(const ColumnMapping& column, ChannelGroup group) {
+  if (const Quantity* quantity = findQuantity(column.quantity)) {
+    return {channelName(*quantity, group), std::string(quantity->unit),
+            std::string(quantity->label) + ", measured"};
+  }
+  const Unit* unit = findUnit(column.unit);
+  const std::string si =
+      unit != nullptr ? std::string(unit->dimension) : canonicalUnit(column.unit);
+  return {column.channel.empty() ? column.column : column.channel, si, "Measured"};
+}
+
+UnitConversion conversionOf(const ColumnMapping& column) {
+  if (const Quantity* quantity = findQuantity(column.quantity)) {
+    return conversionOf(*quantity, column.unit).value_or(UnitConversion{});
+  }
+  const Unit* unit = findUnit(column.unit);
+  return {unit != nullptr ? unit->factor : 1, 0};
 }
 
 std::string columnsKey(const CsvPreview& preview) {

@@ -31,7 +31,8 @@ char separatorSign(Separator separator);
 /// The key of a column that is kept under a name of its own.
 inline constexpr std::string_view kOtherQuantity = "other";
 
-/// What one column is. SI value = conversion(scale * written + offset).
+/// What one column is. SI value = conversion(scale * written + offset); of a time written as text, the seconds since the
+/// first row are "written".
 struct ColumnMapping {
   std::string column;    ///< its name in the file
   std::string quantity;  ///< key of a Quantity, kOtherQuantity, or empty: left out
@@ -49,12 +50,17 @@ struct ImportSettings {
   bool operator==(const ImportSettings&) const = default;
 };
 
+/// The channel a column becomes.
+Channel channelOf(const ColumnMapping& column, ChannelGroup group);
+/// From scale * written + offset to SI; 1 where the unit does not fit.
+UnitConversion conversionOf(const ColumnMapping& column);
+
 /// Names under which a column was found; the first rows as they stand; and how many of the rows looked at hold a
-/// number.
+/// number, a time written as text (time_text.h), another text, or nothing.
 struct PreviewColumn {
   std::string name, unit;
   std::vector<std::string> cells;
-  std::size_t numbers = 0, texts = 0, empty = 0;
+  std::size_t numbers = 0, times = 0, texts = 0, empty = 0;
 };
 
 struct CsvPreview {

@@ -5,20 +5,10 @@
 #include <vector>
 
 #include "sim/measurement/import_settings.h"
+#include "sim/measurement/occurrences.h"
 #include "sim/measurement/text_lines.h"
 
 namespace rotorbench {
-
-/// How often something was found, and where first (line number from 1, 0: never).
-struct Occurrences {
-  std::size_t count = 0;
-  std::size_t firstLine = 0;
-  std::string example;  ///< of the first
-
-  void add(std::size_t line, std::string_view text = {}) {
-    if (count++ == 0) firstLine = line, example = text;
-  }
-};
 
 class TableRows {
  public:

@@ -6,6 +6,8 @@
 #include "sim/core/number_text.h"
 #include "sim/io/csv_cells.h"
 #include "sim/io/file.h"
+#include "sim/io/gzip.h"
+#include "sim/measurement/propeller_blocks.h"
 
 namespace rotorbench {
 
@@ -74,8 +76,7 @@ std::string decoded(std::string_view bytes) {
 }
 
 void refuseWhatIsNoText(std::string_view bytes, const std::string& source) {
-  if (bytes.starts_with("\x1F\x8B") || bytes.starts_with("PK\x03\x04") ||
-      bytes.starts_with("BZh") ||
+  if (isGzip(bytes) || bytes.starts_with("PK\x03\x04") || bytes.starts_with("BZh") ||
       bytes.starts_with("\xFD"
                         "7zXZ")) {
     fail(source, "this file is compressed", "must be unpacked first (a spreadsheet: saved as CSV)");
@@ -90,6 +91,12 @@ TextLines TextLines::fromFile(const std::filesystem::path& path) {
 
 TextLines TextLines::fromBytes(std::string_view bytes, std::string source) {
   if (bytes.size() > kMaxCsvBytes) fail(source, "the file is too large", "must be at most 64 MiB");
+  if (!isGzip(bytes)) return fromText(bytes, std::move(source));
+  const std::string unpacked = unpackGzip(bytes, kMaxCsvBytes, source);
+  return fromText(unpacked, std::move(source));
+}
+
+TextLines TextLines::fromText(std::string_view bytes, std::string source) {
   refuseWhatIsNoText(bytes, source);
   TextLines lines;
   lines.text_ = decoded(bytes);
@@ -100,15 +107,25 @@ TextLines TextLines::fromBytes(std::string_view bytes, std::string source) {
     fail(source, "the file is empty", "must be a table of text");
   }
   lines.source_ = std::move(source);
+  lines.split();
+  if (auto blocks = tableOfPropellerBlocks(lines)) {
+    lines.text_ = std::move(blocks->text);
+    lines.notes_ = std::move(blocks->notes);
+    lines.split();
+  }
+  return lines;
+}
+
+void TextLines::split() {
+  starts_.clear();
   // "\r\n", "\n", and "\r" alone where there is no "\n" at all (old Macintosh).
-  const char end = lines.text_.find('\n') == std::string::npos ? '\r' : '\n';
-  for (std::size_t at = 0; at < lines.text_.size();) {
-    lines.starts_.push_back(at);
-    const std::size_t next = lines.text_.find(end, at);
+  const char end = text_.find('\n') == std::string::npos ? '\r' : '\n';
+  for (std::size_t at = 0; at < text_.size();) {
+    starts_.push_back(at);
+    const std::size_t next = text_.find(end, at);
     if (next == std::string::npos) break;
     at = next + 1;
   }
-  return lines;
 }
 
 std::string_view TextLines::line(std::size_t index) const {

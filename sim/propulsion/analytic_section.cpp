@@ -26,9 +26,11 @@ AnalyticCurve::AnalyticCurve(const SectionConstants& c, const SectionPlace& plac
   zeroLift_ = c.zeroLift + c.zeroLiftReynolds * l +
               c.zeroLiftChord * (place.chordToTipRadius - kChordOfFit) -
               (place.slowFlyer ? c.slowFlyerCamber : 0);
-  positiveStall_ = zeroLift_ + c.stallLift * std::exp(c.stallLiftReynolds * l) / slope_;
-  negativeStall_ = zeroLift_ - c.negativeStallLift / slope_;
   inverseWidth_ = 1 / c.stallWidth;
+  const double positiveStall = zeroLift_ + c.stallLift * std::exp(c.stallLiftReynolds * l) / slope_;
+  const double negativeStall = zeroLift_ - c.negativeStallLift / slope_;
+  positiveStallPower_ = std::exp(positiveStall * inverseWidth_);
+  negativeStallPower_ = std::exp(negativeStall * inverseWidth_);
   delay_ = std::min(c.stallDelayLimit, c.stallDelay * place.chordToRadius * place.chordToRadius);
   fade_ = c.stallDelayFade;
   broadside_ = c.broadside;

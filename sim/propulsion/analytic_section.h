@@ -76,9 +76,13 @@ class AnalyticCurve {
 
   /// Lift coefficient; angle of attack within +-2 pi.
   [[nodiscard]] double lift(double alpha) const {
+    return lift(alpha, std::sin(alpha), std::cos(alpha));
+  }
+  /// The same for whoever knows sine and cosine of the angle.
+  [[nodiscard]] double lift(double alpha, double sine, double cosine) const {
     const double separated = separation(alpha);
     return (1 - separated) * attachedLift(alpha) +
-           separated * broadside_ * plateNormalForce(std::sin(alpha)) * std::cos(alpha);
+           separated * broadside_ * plateNormalForce(sine) * cosine;
   }
 
   [[nodiscard]] SectionCoefficients at(double alpha) const {
@@ -99,12 +103,17 @@ class AnalyticCurve {
   /// Share of the flow that is separated: on the upper side, the lower one, or both.
   [[nodiscard]] double separation(double alpha) const {
     const double kept = delay_ * logistic((fade_ - std::abs(alpha)) / kFadeWidth);
-    const double upper = (1 - kept) * logistic((alpha - positiveStall_) * inverseWidth_);
-    const double lower = logistic((negativeStall_ - alpha) * inverseWidth_);
+    // 1 - (1 - upper)(1 - lower), each a switch over the same width: one exponential serves both.
+    const double e = std::exp(std::clamp(alpha * inverseWidth_, -kMostExponent, kMostExponent));
+    const double upper = (1 - kept) * e / (e + positiveStallPower_);
+    const double lower = negativeStallPower_ / (e + negativeStallPower_);
     return upper + lower - upper * lower;
   }
 
-  double slope_ = 0, zeroLift_ = 0, positiveStall_ = 0, negativeStall_ = 0;
+  static constexpr double kMostExponent = 600;  // keeps the exponential finite and above 0
+
+  double slope_ = 0, zeroLift_ = 0;
+  double positiveStallPower_ = 1, negativeStallPower_ = 1;  // e^(angle of stall/width)
   double inverseWidth_ = 1, delay_ = 0, fade_ = 0, broadside_ = 0, profileDrag_ = 0,
          separatedDrag_ = 0;
 };

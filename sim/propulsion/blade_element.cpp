@@ -20,20 +20,35 @@ struct Flow {
   double axial, tangential, swirl, speedSquared, sine, cosine, angle;
 };
 
-/// `induced` adds to the axial stream and is turned so as to be normal to the resulting flow (QPROP).
-Flow flowAt(double induced, double axialStream, double tangentialStream) {
+/// Tangential velocity induced along with `induced`, which adds to the axial stream: together they are normal to the
+/// resulting flow (QPROP), u (V_t - u) = v (V + v). A blade that drives the air takes at most half the turning out of it;
+/// one that is driven adds no more than half of it, or near a standstill the swirl would keep itself up.
+double swirlOf(double induced, double axialStream, double turning) {
+  const double square = turning * turning, product = 4 * induced * (axialStream + induced);
+  if (product >= 0)
+    return (turning - std::copysign(std::sqrt(std::max(0.0, square - product)), turning)) / 2;
+  const double added =
+      std::sqrt(square - product) - std::abs(turning);  // twice the swirl without a limit
+  const double limit = std::abs(turning);
+  return -0.5 * std::copysign(added * limit / std::hypot(added, limit), turning);
+}
+
+Flow flowAt(double induced, double swirl, double axialStream, double tangentialStream) {
   Flow f{};
   f.axial = axialStream + induced;
-  const double square = tangentialStream * tangentialStream - 4 * induced * f.axial;
-  const double root = std::copysign(std::sqrt(std::max(0.0, square)), tangentialStream);
-  f.swirl = (tangentialStream - root) / 2;
-  f.tangential = tangentialStream - f.swirl;
+  f.swirl = swirl;
+  f.tangential = tangentialStream - swirl;
   f.speedSquared = f.axial * f.axial + f.tangential * f.tangential;
   const double speed = std::sqrt(f.speedSquared);
   f.sine = speed > 0 ? f.axial / speed : 0;
   f.cosine = speed > 0 ? f.tangential / speed : 1;
   f.angle = std::atan2(f.axial, f.tangential);
   return f;
+}
+
+Flow axialFlow(double induced, double axialStream, double tangentialStream) {
+  return flowAt(induced, swirlOf(induced, axialStream, tangentialStream), axialStream,
+                tangentialStream);
 }
 
 /// V/(n D) from the axial and the tip's speed; far outside every table at a standstill.
@@ -50,7 +65,9 @@ double tipLoss(double tipDistance, double sine) {
 /// Square of the induced velocity a section's lift would have in hover.
 template <class Element, class Curve>
 double hoverSquare(const Element& e, const Curve& curve, const Flow& f, double momentumFactor) {
-  return f.speedSquared * e.solidity * curve.lift(e.twist - f.angle) * f.cosine /
+  const double sine = e.twistSine * f.cosine - e.twistCosine * f.sine;
+  const double cosine = e.twistCosine * f.cosine + e.twistSine * f.sine;
+  return f.speedSquared * e.solidity * curve.lift(e.twist - f.angle, sine, cosine) * f.cosine /
          (4 * tipLoss(e.tipDistance, f.sine) * momentumFactor);
 }
 
@@ -68,7 +85,11 @@ struct BlendedCurve {
     const SectionCoefficients p = std::visit(value, a), q = std::visit(value, b);
     return {p.lift + weight * (q.lift - p.lift), p.drag + weight * (q.drag - p.drag)};
   }
-  [[nodiscard]] double lift(double alpha) const { return at(alpha).lift; }
+  [[nodiscard]] double lift(double alpha, double sine, double cosine) const {
+    const auto value = [=](const auto& c) { return c.lift(alpha, sine, cosine); };
+    const double p = std::visit(value, a);
+    return p + weight * (std::visit(value, b) - p);
+  }
 };
 
 }  // namespace
@@ -95,6 +116,8 @@ BladeElementRotor::BladeElementRotor(const PropellerGeometry& geometry,
     e.width = width * radius_;
     e.chord = shape.chord * radius_;
     e.twist = shape.twist;
+    e.twistSine = std::sin(shape.twist);
+    e.twistCosine = std::cos(shape.twist);
     e.solidity = blades_ * shape.chord / (2 * kPi * x);
     e.tipDistance = blades_ * (1 - x) / (2 * x);
     e.place = {shape.chord, shape.chord / x, geometry.line == BladeLine::SlowFlyer};
@@ -105,10 +128,8 @@ BladeElementRotor::BladeElementRotor(const PropellerGeometry& geometry,
     }
     elements_.push_back(e);
   }
-  for (int i = 0; i < settings.azimuths; ++i) {
-    const double azimuth = 2 * kPi * (i + 0.5) / settings.azimuths;
-    directions_.emplace_back(std::cos(azimuth), std::sin(azimuth));
-  }
+  const int half = (settings.azimuths + 1) / 2;
+  for (int i = 0; i < half; ++i) azimuths_.push_back(std::sin(kPi * ((i + 0.5) / half - 0.5)));
 }
 
 template <class Use>
@@ -131,7 +152,7 @@ double BladeElementRotor::solveAxial(const Element& e, const Curve& curve, doubl
   const double speed = std::hypot(axial, tangential);
   if (speed == 0 || e.solidity == 0) return 0;
   const auto residual = [&](double v) {
-    const double h = hoverSquare(e, curve, flowAt(v, axial, tangential), momentumFactor_);
+    const double h = hoverSquare(e, curve, axialFlow(v, axial, tangential), momentumFactor_);
     return v - axialInducedVelocity(h, axial);
   };
   const RootRule rule = RootRule::at(advanceRatio(axial * e.radius, tangential * radius_));
@@ -155,7 +176,7 @@ void BladeElementRotor::addAxial(const Element& e, double omega, double axialSpe
   withCurve(e, reynolds, [&](const auto& curve) {
     const double v = solveAxial(e, curve, axialSpeed, tangential, warm ? memory : nullptr);
     if (memory) *memory = v;
-    const Flow f = flowAt(v, axialSpeed, tangential);
+    const Flow f = axialFlow(v, axialSpeed, tangential);
     const double alpha = e.twist - f.angle;
     const SectionCoefficients c = curve.at(alpha);
     const double pressure = 0.5 * air.density * f.speedSquared * blades_ * e.chord;
@@ -200,31 +221,37 @@ void BladeElementRotor::addOblique(const Element& e, double omega, double axialS
   const double speed =
       std::sqrt(turning * turning + axialSpeed * axialSpeed + inPlaneSpeed * inPlaneSpeed / 2);
   if (speed == 0 || e.solidity == 0) return;
-  const double share = 1 / static_cast<double>(directions_.size());
+  // The swirl is one for the annulus, like the induced velocity. Where the in-plane stream gives most of the section's speed,
+  // what the blades turn cancels around the azimuth.
+  const double square = turning * turning,
+               turned = square > 0 ? square / (square + inPlaneSpeed * inPlaneSpeed / 2) : 0;
+  const double tip = omega * radius_;
+  const RootRule rule = RootRule::at(advanceRatio(axialSpeed, std::hypot(tip, inPlaneSpeed)));
+  const double share = 1 / static_cast<double>(azimuths_.size());
   withCurve(e, air.density * speed * e.chord / air.viscosity, [&](const auto& curve) {
-    const auto flow = [&](double v, const Eigen::Vector2d& direction) {
-      return flowAt(v, axialSpeed, turning - inPlaneSpeed * direction[1]);
+    const auto flow = [&](double v, double swirl, double azimuth) {
+      return flowAt(v, swirl, axialSpeed, turning - inPlaneSpeed * azimuth);
     };
     const auto residual = [&](double v) {
+      const double swirl = turned * swirlOf(v, axialSpeed, turning);
       double h = 0;
-      for (const auto& d : directions_) h += hoverSquare(e, curve, flow(v, d), momentumFactor_);
+      for (const double azimuth : azimuths_)
+        h += hoverSquare(e, curve, flow(v, swirl, azimuth), momentumFactor_);
       return v - inducedVelocity(h * share, axialSpeed, inPlaneSpeed);
     };
-    const double v =
-        inflowRoot(residual, turning * std::tan(e.twist - curve.zeroLift()) - axialSpeed, speed,
-                   RootRule::at(advanceRatio(axialSpeed, omega * radius_)));
-    for (const auto& d : directions_) {
-      const Flow f = flow(v, d);
+    const double v = inflowRoot(
+        residual, turning * std::tan(e.twist - curve.zeroLift()) - axialSpeed, speed, rule);
+    const double swirl = turned * swirlOf(v, axialSpeed, turning);
+    for (const double azimuth : azimuths_) {
+      const Flow f = flow(v, swirl, azimuth);
       const SectionCoefficients c = curve.at(e.twist - f.angle);
       const double force = 0.5 * air.density * f.speedSquared * blades_ * e.chord * e.width * share;
       const double thrust = force * (c.lift * f.cosine - c.drag * f.sine);
       const double against = force * (c.lift * f.sine + c.drag * f.cosine);
       load.thrust += thrust;
       load.torque += against * e.radius;
-      load.drag -= against * d[1];
-      load.side -= against * d[0];
-      load.pitchMoment += thrust * e.radius * d[0];
-      load.rollMoment += thrust * e.radius * d[1];
+      load.drag -= against * azimuth;
+      load.rollMoment += thrust * e.radius * azimuth;
     }
   });
 }
@@ -258,9 +285,9 @@ RotorLoad<double> BladeElementRotor::load(double w, const Eigen::Vector3d& v,
     return l;
   }
   const ObliqueLoad o = oblique(std::abs(w), axialSpeed, inPlaneSpeed, air);
-  const Eigen::Vector3d e1 = inPlane / inPlaneSpeed, e2 = spin * front.cross(e1);
-  l.force = o.thrust * front - o.drag * e1 + o.side * e2;
-  l.moment = spin * (o.rollMoment * e1 - o.pitchMoment * e2 - o.torque * front);
+  const Eigen::Vector3d e1 = inPlane / inPlaneSpeed;
+  l.force = o.thrust * front - o.drag * e1;
+  l.moment = spin * (o.rollMoment * e1 - o.torque * front);
   l.thrust = sign * o.thrust;
   l.torque = sign * o.torque;
   return l;

@@ -33,7 +33,7 @@ struct AirState {
 struct BladeElementSettings {
   int elements = 24;               ///< annuli of equal width
   double momentumFactor = 0.7423;  ///< k, 1: ideal inflow
-  int azimuths = 12;               ///< directions of a blade in oblique flow
+  int azimuths = 12;  ///< directions of a blade in oblique flow; an odd number counts one more
   bool operator==(const BladeElementSettings&) const = default;
 };
 
@@ -58,15 +58,15 @@ struct AxialLoad {
   double vortexRingShare = 0;
 };
 
-/// Loads in oblique flow, in the frame of the in-plane hub velocity: e1 along it, e2 = s (axis x e1), s the spin.
+/// Loads in oblique flow, in the frame of the in-plane hub velocity: e1 along it, e2 = s (axis x e1), s the spin. As the
+/// skew of the inflow is left out, a blade ahead of the hub meets the air as one behind it does: so there is neither a
+/// force along e2 nor a moment of thrust times distance along e1.
 struct ObliqueLoad {
   double thrust = 0;  ///< N along the axis
   double torque = 0;  ///< N m against the rotation
   double drag = 0;    ///< H, N along -e1
-  double side = 0;    ///< N along e2
   double rollMoment =
       0;  ///< N m: sum of thrust times distance along e2; the advancing side is at -e2
-  double pitchMoment = 0;  ///< N m: sum of thrust times distance along e1
 };
 
 /// Induced velocities of the last solution; given again, they make the next one faster. Not for use by two threads
@@ -107,7 +107,7 @@ class BladeElementRotor {
  private:
   /// One annulus: lengths in m.
   struct Element {
-    double radius, width, chord, twist;
+    double radius, width, chord, twist, twistSine, twistCosine;
     double solidity;     // B c/(2 pi r)
     double tipDistance;  // B (R - r)/(2 r)
     SectionPlace place;
@@ -128,7 +128,8 @@ class BladeElementRotor {
 
   std::vector<Element> elements_;
   std::vector<PreparedSection> sections_;
-  std::vector<Eigen::Vector2d> directions_;  // cosine and sine of the azimuths
+  std::vector<double>
+      azimuths_;  // their sines, from the rear to the front: the other half of the circle is alike
   double radius_ = 0, blades_ = 2, momentumFactor_ = 1;
 };
 

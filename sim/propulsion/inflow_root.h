@@ -6,6 +6,9 @@
 // anyway: the loads become smooth there and can be tabulated.
 #pragma once
 
+#include <array>
+#include <limits>
+
 #include "sim/propulsion/analytic_section.h"
 #include "sim/propulsion/bracketed_root.h"
 
@@ -16,47 +19,62 @@ struct RootRule {
   bool many = false;    ///< look for several roots
   double softness = 0;  ///< weight of the soft edge, 0 to 1
 
-  /// One root above J = -0.1, several below, the soft edge coming in from -0.35 to -0.6.
+  /// One root above J = -0.05; several below, the soft edge coming in to -0.2.
   static RootRule at(double advance) {
-    constexpr double kSeveral = -0.1, kSoftFrom = -0.35, kSoftTo = -0.6;
-    const double t = std::clamp((advance - kSoftFrom) / (kSoftTo - kSoftFrom), 0.0, 1.0);
+    constexpr double kSeveral = -0.05, kSoft = -0.2;
+    const double t = std::clamp((advance - kSeveral) / (kSoft - kSeveral), 0.0, 1.0);
     return {advance < kSeveral, t * t * (3 - 2 * t)};
   }
 };
 
 inline constexpr double kInflowTolerance = 1e-10;  // of the section's speed
 
-/// Alternating sum of the roots between 0 and `end`, R having opposite signs there.
+/// R at equal steps from a little before 0 to `end`, between which and 0 it has opposite signs.
+struct ResidualSamples {
+  static constexpr int kBefore = 5, kSteps = 20;  ///< steps before 0 and up to `end`
+  double end = 0;
+  std::array<double, kBefore + kSteps + 1> values{};
+
+  [[nodiscard]] double place(int i) const { return end * (i - kBefore) / kSteps; }
+
+  template <class Residual>
+  void take(const Residual& residual, int first, double atZero, double atEnd) {
+    for (int i = first; i < kBefore + kSteps; ++i)
+      values[static_cast<std::size_t>(i)] = i == kBefore ? atZero : residual(place(i));
+    values.back() = atEnd;
+  }
+};
+
+/// Alternating sum of the roots between 0 and the end.
 template <class Residual>
-double alternatingRoots(const Residual& residual, double atZero, double end, double atEnd,
+double alternatingRoots(const Residual& residual, const ResidualSamples& samples,
                         double tolerance) {
-  constexpr int kSteps = 24;
-  double sum = 0, sign = 1, from = 0, atFrom = atZero;
-  for (int i = 1; i <= kSteps; ++i) {
-    const double to = end * i / kSteps, atTo = i < kSteps ? residual(to) : atEnd;
-    if ((atTo > 0) != (atFrom > 0)) {
-      sum += sign * bracketedRoot(residual, from, atFrom, to, atTo, tolerance);
-      sign = -sign;
-    }
-    from = to, atFrom = atTo;
+  double sum = 0, sign = 1;
+  for (int i = samples.kBefore; i < samples.kBefore + samples.kSteps; ++i) {
+    const double from = samples.values[static_cast<std::size_t>(i)],
+                 to = samples.values[static_cast<std::size_t>(i) + 1];
+    if ((to > 0) == (from > 0)) continue;
+    sum +=
+        sign * bracketedRoot(residual, samples.place(i), from, samples.place(i + 1), to, tolerance);
+    sign = -sign;
   }
   return sum;
 }
 
-/// The same length with a soft edge: the integral of 1/(1 + exp(R/e)), R taken as straight between its values at
-/// equal steps. It begins a little before 0, so that the edge of a small root is not cut off.
-template <class Residual>
-double softRoot(const Residual& residual, double end) {
-  constexpr int kSteps = 32;
-  constexpr double kEdge = 0.08, kBefore = 0.25;  // e and the lead, as parts of `end`
+/// The same length with a soft edge: the integral of 1/(1 + exp(R/e)), R taken as straight between its samples. It begins
+/// before 0, so that the edge of a small root is not cut off; outside the samples R goes on with a slope of 1, as it does
+/// far away. So a straight R gives its root wherever the samples end.
+inline double softRoot(const ResidualSamples& samples) {
+  constexpr double kEdge = 0.08;  // e as a part of the end
   const auto softplus = [](double x) {
     return std::max(x, 0.0) + std::log1p(std::exp(-std::abs(x)));
   };
-  const double sign = end < 0 ? -1 : 1, length = std::abs(end);
-  const double before = kBefore * length, edge = kEdge * length, step = (length + before) / kSteps;
-  double sum = -before, r = sign * residual(-sign * before), area = softplus(-r / edge);
-  for (int i = 1; i <= kSteps; ++i) {
-    const double next = sign * residual(sign * (i * step - before));
+  const double sign = samples.end < 0 ? -1 : 1, length = std::abs(samples.end);
+  const double edge = kEdge * length, step = length / samples.kSteps;
+  double r = sign * samples.values[0], area = softplus(-r / edge);
+  double sum = -step * samples.kBefore - edge * softplus(r / edge);
+  for (std::size_t i = 1; i < samples.values.size(); ++i) {
+    const double next = sign * samples.values[i];
     const double nextArea = softplus(-next / edge);
     // The difference quotient loses its digits where R is level.
     constexpr double kLevel = 1e-6;
@@ -64,7 +82,7 @@ double softRoot(const Residual& residual, double end) {
                                               : step * logistic(-next / edge);
     r = next, area = nextArea;
   }
-  return sign * sum;
+  return sign * (sum + edge * area);
 }
 
 /// Induced velocity, m/s, for a residual that tends to v for large v. The bracket starts with `reach`, the
@@ -76,16 +94,28 @@ double inflowRoot(const Residual& residual, double reach, double speed, RootRule
   if (atZero == 0) return 0;
   const double least = kLeastBracket * speed;
   double end = atZero < 0 ? std::max(reach, least) : std::min(reach, -least);
+  // The length of the bracket is part of a soft answer: it must not depend on the sign of next to nothing.
+  if (rule.many) end = std::copysign(std::max(std::abs(reach), least), -atZero);
   double atEnd = residual(end);
+  double shorter = end, atShorter = atEnd;
   for (int i = 0; i < 60 && (atEnd > 0) == (atZero > 0) && atEnd != 0; ++i) {
+    shorter = end, atShorter = atEnd;
     end *= kGrowth;
     atEnd = residual(end);
   }
   const double tolerance = kInflowTolerance * speed;
   if (!rule.many) return bracketedRoot(residual, 0, atZero, end, atEnd, tolerance);
-  const double soft = rule.softness > 0 ? softRoot(residual, end) : 0;
+  if (shorter != end) {
+    // Nor may it grow in jumps.
+    end = bracketedRoot(residual, shorter, atShorter, end, atEnd, tolerance);
+    atEnd = -std::copysign(std::numeric_limits<double>::min(), atZero);
+  }
+  ResidualSamples samples;
+  samples.end = end;
+  samples.take(residual, rule.softness > 0 ? 0 : samples.kBefore, atZero, atEnd);
+  const double soft = rule.softness > 0 ? softRoot(samples) : 0;
   if (rule.softness >= 1) return soft;
-  const double sharp = alternatingRoots(residual, atZero, end, atEnd, tolerance);
+  const double sharp = alternatingRoots(residual, samples, tolerance);
   return sharp + rule.softness * (soft - sharp);
 }
 

@@ -44,28 +44,20 @@ inline double inducedVelocity(double h, double axial, double inPlane) {
   // windmill brake state, the slope passing smoothly from one to the other.
   const double t = std::clamp(axial / q - kRingBottom, 0.0, 1.0);
   const double slope = 2 * t * t * (3 - 2 * t) - 1;
-  const auto excess = [&](double w) {
-    const double through = 1 / top + slope * (w - top);
-    return w * std::sqrt(m * m + through * through) - 1;
-  };
-  // Illinois variant of the false position, from the axial solution (excess above 0) downwards.
-  double a = 0, fa = -1, b = top, fb = excess(top), w = top;
+  const double atTop = 1 / top;
+  // Newton's method between nothing and the axial solution, where w sqrt(...) passes 1; halving where it would leave them.
   constexpr int kMostSteps = 60;
-  constexpr double kClose = 1e-14;
-  int side = 0;
-  for (int i = 0; i < kMostSteps && b - a > kClose * top; ++i) {
-    w = (a * fb - b * fa) / (fb - fa);
-    const double fw = excess(w);
-    if (std::abs(fw) < kClose) break;
-    if (fw < 0) {
-      a = w, fa = fw;
-      if (side == -1) fb /= 2;
-      side = -1;
-    } else {
-      b = w, fb = fw;
-      if (side == 1) fa /= 2;
-      side = 1;
-    }
+  constexpr double kSmallStep = 1e-7;  // the error after it is of the order of its square
+  double low = 0, high = top, w = 1 / std::sqrt(m * m + atTop * atTop);
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double through = atTop + slope * (w - top);
+    const double speed = std::sqrt(m * m + through * through);
+    const double excess = w * speed - 1;
+    (excess < 0 ? low : high) = w;
+    const double next = w - excess * speed / (speed * speed + w * through * slope);
+    const double last = w;
+    w = next > low && next < high ? next : 0.5 * (low + high);
+    if (std::abs(w - last) <= kSmallStep * top) break;
   }
   return w * q;
 }

@@ -83,6 +83,10 @@ class PolarCurve {
 
   [[nodiscard]] double zeroLift() const { return zeroLift_; }
   [[nodiscard]] double lift(double alpha) const { return at(alpha).lift; }
+  /// As AnalyticCurve's, which needs sine and cosine.
+  [[nodiscard]] double lift(double alpha, double /*sine*/, double /*cosine*/) const {
+    return at(alpha).lift;
+  }
   [[nodiscard]] SectionCoefficients at(double alpha) const;
 
  private:

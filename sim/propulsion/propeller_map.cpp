@@ -1,29 +1,10 @@
 #include "sim/propulsion/propeller_map.h"
 
 #include <algorithm>
-#include <atomic>
-#include <thread>
+
+#include "sim/core/parallel.h"
 
 namespace rotorbench {
-
-namespace {
-
-/// Calls work(i) for all i below `count` on all processors: every point of a map stands alone, so the numbers do not
-/// depend on how many there are.
-template <class Work>
-void inParallel(std::size_t count, const Work& work) {
-  constexpr unsigned kMost = 8;
-  std::atomic<std::size_t> next{0};
-  const auto run = [&] {
-    for (std::size_t i = next++; i < count; i = next++) work(i);
-  };
-  std::vector<std::jthread> helpers;
-  for (unsigned k = 1; k < std::min(kMost, std::thread::hardware_concurrency()); ++k)
-    helpers.emplace_back(run);
-  run();
-}
-
-}  // namespace
 
 PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings)
     : radius_(rotor.radius()), area_(std::numbers::pi * radius_ * radius_) {
@@ -43,7 +24,8 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
   leastLogReynolds_ = std::log(settings.leastReynolds);
   rowsPerLog_ = lastRow_ / (std::log(settings.mostReynolds) - leastLogReynolds_);
   const AirState air;
-  inParallel(rows, [&](std::size_t i) {
+  const auto solved = inParallel(rows, [&](std::size_t i) {
+    std::vector<ThrustAndTorque> row(directions);
     const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / rowsPerLog_);
     const double speed = reynolds * air.viscosity / (air.density * radius_);
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
@@ -52,75 +34,75 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
       // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant below it.
       const double omega = std::fmax(0, speed * std::cos(chi) / (kReferenceRadius * radius_));
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
-      values_[(i + 1) * stride_ + k + 1] = {load.thrust * scale, load.torque * scale / radius_};
+      row[k] = {load.thrust * scale, load.torque * scale / radius_};
     }
+    return row;
   });
+  for (std::size_t i = 0; i < rows; ++i)
+    std::copy(solved[i].begin(), solved[i].end(), &values_[(i + 1) * stride_ + 1]);
   extrapolateEdges(rows);
 }
 
 void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                                 const PropellerMapSettings& settings) {
-  // At no in-plane speed the limit is wanted: so small an angle is near enough, the values being even in it.
-  constexpr double kLeastAngle = 0.02;
-  const auto directions = static_cast<std::size_t>(settings.sideDirections);
-  const auto angles = static_cast<std::size_t>(settings.sideAngles);
-  sideDirections_ = directions + 2;
-  sideAngles_ = angles + 2;
-  side_.resize(kSideRows * sideAngles_ * sideDirections_);
-  sideDirectionsPerAngle_ = static_cast<double>(directions - 1) / std::numbers::pi;
-  sideAnglesPerAngle_ = static_cast<double>(angles - 1) / (std::numbers::pi / 2);
-  sideRowsPerLog_ = rowsPerLog_ * static_cast<double>(kSideRows - 1) / lastRow_;
-  const AirState air;
-  inParallel(kSideRows * angles, [&](std::size_t place) {
-    const std::size_t i = place / angles, j = place % angles;
-    const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / sideRowsPerLog_);
-    const double speed = reynolds * air.viscosity / (air.density * radius_);
-    const double angle = std::fmax(kLeastAngle, static_cast<double>(j) / sideAnglesPerAngle_);
-    for (std::size_t k = 0; k < directions; ++k) {
-      const double chi = static_cast<double>(k) / sideDirectionsPerAngle_ - std::numbers::pi / 2;
-      side_[sideIndex(i, j + 1, k + 1)] = sideAt(rotor, chi, angle, speed);
-    }
-  });
-  extrapolateSideEdges();
+  constexpr double kPi = std::numbers::pi;
+  const double logRange = lastRow_ / rowsPerLog_;
+  const auto direction = [&](const GridPlace& p) { return (p[0] - 0.5) * kPi; };
+  const auto sideAngle = [&](const GridPlace& p) { return p[1] * kPi / 2; };
+  const auto logReynolds = [&](const GridPlace& p) { return leastLogReynolds_ + p[2] * logRange; };
+  const auto axis = [](int points, int refinements, bool even) {
+    return GridAxis{static_cast<std::size_t>(points), refinements, even};
+  };
+  const RefinedGrid grid({axis(settings.sideDirections, settings.sideRefinements, false),
+                          axis(settings.sideAngles, settings.sideRefinements, true),
+                          axis(settings.sideReynoldsNumbers, 0, false)},
+                         sideTolerance(settings.sideTolerance), [&](const GridPlace& p) {
+                           return sideAt(rotor, direction(p), sideAngle(p), logReynolds(p));
+                         });
+  sideSolved_ = grid.solved();
+  side_ = CubicTable(grid);
 }
 
-PropellerMap::SideValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction,
-                                              double sideAngle, double speed) const {
+GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction, double sideAngle,
+                                double logReynolds) const {
+  // Of what is divided by the sine the limit is wanted at no in-plane speed: so small an angle is near enough, the
+  // values being even in it.
+  constexpr double kLeastAngle = 0.01;
   const AirState air;
-  const double inPlane = speed * std::sin(sideAngle);
+  const double speed = std::exp(logReynolds) * air.viscosity / (air.density * radius_);
   const double rest = std::fmax(0, speed * std::cos(sideAngle));
   const double omega = std::fmax(0, rest * std::cos(direction) / (kReferenceRadius * radius_));
-  const double axial = rest * std::sin(direction);
-  const ObliqueLoad load = rotor.oblique(omega, axial, inPlane, air);
-  // Less what axial() of the map gives, so that the sum is right wherever the axial table is read.
-  const ThrustAndTorque still = this->axial(omega, axial, air);
-  const double sine = std::sin(sideAngle);
+  const double sine = std::sin(std::fmax(sideAngle, kLeastAngle));
+  const ObliqueLoad load = rotor.oblique(omega, rest * std::sin(direction), speed * sine, air);
   const double force = 1 / (0.5 * air.density * area_ * speed * speed), moment = force / radius_;
-  return {(load.thrust - still.thrust) * force / (sine * sine),
-          (load.torque - still.torque) * moment / (sine * sine),
-          load.drag * force / sine,
-          load.side * force / sine,
-          load.rollMoment * moment / sine,
-          load.pitchMoment * moment / sine};
+  GridValues values{load.thrust * force, load.torque * moment, load.drag * force / sine,
+                    load.rollMoment * moment / sine};
+  if (sideAngle < kLeastAngle) {
+    const ThrustAndTorque still = axialCoefficients(direction, logReynolds);
+    values[0] = still.thrust;
+    values[1] = still.torque;
+  }
+  return values;
 }
 
-/// Even about no in-plane speed; on straight lines through the last two points elsewhere.
-void PropellerMap::extrapolateSideEdges() {
-  const auto beyond = [this](std::size_t to, std::size_t edge, std::size_t inner) {
-    for (std::size_t q = 0; q < kSideValues; ++q)
-      side_[to][q] = 2 * side_[edge][q] - side_[inner][q];
-  };
-  const std::size_t angle = sideAngles_ - 1, last = sideDirections_ - 1;
-  for (std::size_t i = 0; i < kSideRows; ++i) {
-    for (std::size_t j = 1; j < angle; ++j) {
-      beyond(sideIndex(i, j, 0), sideIndex(i, j, 1), sideIndex(i, j, 2));
-      beyond(sideIndex(i, j, last), sideIndex(i, j, last - 1), sideIndex(i, j, last - 2));
-    }
-    for (std::size_t k = 0; k <= last; ++k) {
-      side_[sideIndex(i, 0, k)] = side_[sideIndex(i, 2, k)];
-      beyond(sideIndex(i, angle, k), sideIndex(i, angle - 1, k), sideIndex(i, angle - 2, k));
-    }
+/// `share` of the static thrust and five times that of the static torque. Of a blade that hardly lifts at rest, of a part of
+/// the most it does in any direction.
+GridValues PropellerMap::sideTolerance(double share) const {
+  constexpr double kLeastPart = 0.05;
+  ThrustAndTorque most;
+  for (const ThrustAndTorque& v : values_) {
+    most.thrust = std::fmax(most.thrust, std::abs(v.thrust));
+    most.torque = std::fmax(most.torque, std::abs(v.torque));
   }
+  const ThrustAndTorque still =
+      axialCoefficients(0.0, leastLogReynolds_ + 0.5 * lastRow_ / rowsPerLog_);
+  const double thrust = share * std::fmax(std::abs(still.thrust), kLeastPart * most.thrust);
+  const double torque = share * std::fmax(std::abs(still.torque), kLeastPart * most.torque);
+  constexpr double kTorque = 5, kInPlane = 2;
+  // A propeller without blades to speak of has nothing to be refined.
+  const auto positive = [](double x) { return x > 0 ? x : 1; };
+  return {positive(thrust), positive(kTorque * torque), positive(kInPlane * thrust),
+          positive(kInPlane * thrust)};
 }
 
 /// Points beyond the grid, on straight lines through the last two.
@@ -158,14 +140,37 @@ void Describe<PropellerMapSettings>::fields(schema::Builder<PropellerMapSettings
       .range(schema::atLeast(1), schema::upTo(1e9))
       .help("Of the tip radius and the air speed at 75 % of it.")
       .advanced();
-  b.integer("sideDirections", &S::sideDirections, "Directions with air from the side")
+  b.integer("sideDirections", &S::sideDirections, "Directions in edgewise flow")
       .range(schema::atLeast(16), schema::upTo(400))
-      .help("As above, in the table of what in-plane air speed adds.")
+      .help("Of the coarse grid of what in-plane air speed does.")
       .advanced();
   b.integer("sideAngles", &S::sideAngles, "Side angles")
       .range(schema::atLeast(4), schema::upTo(100))
-      .help("From no in-plane air speed to nothing but in-plane air speed.")
+      .help("Coarse, from no in-plane air speed to nothing but in-plane air speed.")
       .advanced();
+  b.integer("sideReynoldsNumbers", &S::sideReynoldsNumbers, "Reynolds numbers in edgewise flow")
+      .range(schema::atLeast(4), schema::upTo(100))
+      .advanced();
+  b.integer("sideRefinements", &S::sideRefinements, "Refinements in edgewise flow")
+      .range(schema::atLeast(0), schema::upTo(4))
+      .help("How often the coarse steps are halved where the tolerance asks for it.")
+      .advanced();
+  b.number("sideTolerance", &S::sideTolerance, "Tolerance in edgewise flow", "", "1")
+      .range(schema::atLeast(1e-5), schema::upTo(1))
+      .help("Of the static thrust; five times that of the static torque.")
+      .advanced();
+  b.check([](const S& s, std::vector<Problem>& problems) {
+    constexpr double kMostPoints = 4e6;
+    const double finer = std::exp2(s.sideRefinements);
+    const double points = finer * s.sideDirections * finer * s.sideAngles *
+                          static_cast<double>(s.sideReynoldsNumbers);
+    if (points > kMostPoints) {
+      problems.push_back(
+          {"sideRefinements",
+           "refined, the grid of edgewise flow would have more than 4 million points",
+           "fewer refinements, directions, side angles or Reynolds numbers"});
+    }
+  });
   b.check([](const S& s, std::vector<Problem>& problems) {
     if (s.mostReynolds > s.leastReynolds) return;
     problems.push_back({"mostReynolds", "the highest Reynolds number is not above the lowest",

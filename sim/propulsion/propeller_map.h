@@ -2,11 +2,12 @@
 // direction of the air at 75 % radius and on the Reynolds number rho U R/mu only: so one table holds for every speed,
 // from standing still to windmilling, and for all air. With axial speed V, in-plane speed P and U the length of all:
 //   chi = atan2(V, 0.75 Om R),  sine = P/U,  U^2 = V^2 + P^2 + (0.75 Om R)^2
-// Axial flow (P = 0) is a fine table over chi and the logarithm of the Reynolds number. What in-plane speed adds is a
-// second, coarser table over chi, the side angle asin(P/U) and the Reynolds number. It holds the changes of thrust and torque over
-// sine^2, and the in-plane force and the hub moments over sine: even and smooth functions, so that forward
-// flight sets in smoothly and no direction is needed at rest. Both come from BladeElementRotor; Catmull-Rom cubics, straight
-// lines over the Reynolds number in the second. Frame and signs as in blade_element.h. SI, rad.
+// Axial flow (P = 0) is a fine table over chi and the logarithm of the Reynolds number. Edgewise flow is a second table,
+// over chi, the side angle asin(P/U) and the Reynolds number, solved where it needs to be (refined_grid.h): thrust and
+// torque, which are even in the side angle, and in-plane force and hub moment over the sine, which are so too. Where
+// there is hardly any in-plane speed the finer axial table corrects it: so forward flight sets in smoothly and no
+// direction is needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. Frame and signs
+// as in blade_element.h. SI, rad.
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 
 #include "sim/core/scalar.h"
 #include "sim/propulsion/blade_element.h"
+#include "sim/propulsion/cubic_table.h"
 
 namespace rotorbench {
 
@@ -25,8 +27,12 @@ struct PropellerMapSettings {
   int reynoldsNumbers = 20;    ///< spread evenly over the logarithm
   double leastReynolds = 1e4;  ///< rho U R/mu; below and above the range the nearest end holds
   double mostReynolds = 1e7;
-  int sideDirections = 61;  ///< as `directions`, for what in-plane speed adds
-  int sideAngles = 13;      ///< from no in-plane speed to nothing else, 0 to 90 degrees
+  int sideDirections = 31;  ///< coarse grid of edgewise flow, as `directions`
+  int sideAngles = 16;      ///< coarse, from no in-plane speed to nothing else, 0 to 90 degrees
+  int sideReynoldsNumbers = 19;  ///< as `reynoldsNumbers`
+  int sideRefinements = 3;       ///< how often directions and side angles may be halved
+  double sideTolerance =
+      8e-4;  ///< of interpolation in edgewise flow, as a part of the static thrust; torque: 5 times
   bool operator==(const PropellerMapSettings&) const = default;
 };
 
@@ -55,32 +61,14 @@ class PropellerMap {
                                           double viscosity = kAirViscosity) const;
 
   [[nodiscard]] double radius() const { return radius_; }
+  /// How many states of edgewise flow were solved to fill the table.
+  [[nodiscard]] std::size_t sideSolved() const { return sideSolved_; }
 
  private:
   static constexpr double kReferenceRadius = 0.75;  // r/R
-
-  /// What in-plane speed adds: dT and dQ per sine^2; H, Y, roll and pitch moments per sine (ObliqueLoad).
-  static constexpr std::size_t kSideValues = 6;
-  static constexpr std::size_t kSideRows = 4;  ///< Reynolds numbers, over the range of the map
-  using SideValues = std::array<double, kSideValues>;
-
-  template <class S>
-  static void weigh(const S& t, S (&weight)[4]) {  // Catmull-Rom
-    const S s = 1.0 - t;
-    weight[0] = -0.5 * t * s * s;
-    weight[1] = 1.0 + t * t * (1.5 * t - 2.5);
-    weight[2] = 1.0 + s * s * (1.5 * s - 2.5);
-    weight[3] = -0.5 * s * t * t;
-  }
-  /// Interval of a coordinate in units of the grid, 0 to last, and the fraction in it. NaN is taken as 0.
-  template <class S>
-  static std::size_t place(const S& coordinate, double last, S& fraction) {
-    const double inside = std::fmin(std::fmax(valueOf(coordinate), 0), last);
-    const double interval = std::fmin(std::floor(inside), last - 1);
-    fraction = S(coordinate - interval);
-    if (!(valueOf(coordinate) == inside)) fraction = S(inside - interval);
-    return static_cast<std::size_t>(interval);
-  }
+  static constexpr double kAxialSine =
+      0.05;  // the axial table fades with the side angle over about this sine
+  static constexpr double kFaded = 40;  // beyond exp(-40) there is nothing left of it
 
   template <class S>
   [[nodiscard]] ThrustAndTorqueOf<S> axialLoad(const S& omega, const S& axialSpeed,
@@ -93,92 +81,64 @@ class PropellerMap {
     const S square = along * along + across * across;
     if (!(valueOf(square) > 0) || !(valueOf(density) > 0)) return {};
     const S logReynolds = log(S(density * (radius_ / viscosity))) + 0.5 * log(square);
+    const ThrustAndTorqueOf<S> c = axialCoefficients(S(atan2(along, across)), logReynolds);
+    const S scale = (sign * 0.5 * area_) * density * square;
+    return {S(scale * c.thrust), S(scale * radius_ * c.torque)};
+  }
+
+  /// Thrust over 0.5 rho A U^2 and torque over that and R, in axial flow.
+  template <class S>
+  [[nodiscard]] ThrustAndTorqueOf<S> axialCoefficients(const S& direction,
+                                                       const S& logReynolds) const {
     S t, directionWeight[4], reynoldsWeight[4];
-    const std::size_t k = place(
-        S((atan2(along, across) + std::numbers::pi / 2) * directionsPerAngle_), lastDirection_, t);
-    weigh(t, directionWeight);
-    const std::size_t i = place(S((logReynolds - leastLogReynolds_) * rowsPerLog_), lastRow_, t);
-    weigh(t, reynoldsWeight);
-    ThrustAndTorqueOf<S> load;
+    const std::size_t k = gridInterval(S((direction + std::numbers::pi / 2) * directionsPerAngle_),
+                                       lastDirection_, t);
+    catmullRom(t, directionWeight);
+    const std::size_t i =
+        gridInterval(S((logReynolds - leastLogReynolds_) * rowsPerLog_), lastRow_, t);
+    catmullRom(t, reynoldsWeight);
+    ThrustAndTorqueOf<S> c;
     for (std::size_t r = 0; r < 4; ++r) {
       const ThrustAndTorque* row = &values_[(i + r) * stride_ + k];
       S thrust = S(0.0), torque = S(0.0);
-      for (std::size_t c = 0; c < 4; ++c) {
-        thrust += directionWeight[c] * row[c].thrust;
-        torque += directionWeight[c] * row[c].torque;
+      for (std::size_t d = 0; d < 4; ++d) {
+        thrust += directionWeight[d] * row[d].thrust;
+        torque += directionWeight[d] * row[d].torque;
       }
-      load.thrust += reynoldsWeight[r] * thrust;
-      load.torque += reynoldsWeight[r] * torque;
+      c.thrust += reynoldsWeight[r] * thrust;
+      c.torque += reynoldsWeight[r] * torque;
     }
-    const S scale = (sign * 0.5 * area_) * density * square;
-    return {S(scale * load.thrust), S(scale * radius_ * load.torque)};
+    return c;
   }
 
-  template <class S>
-  void sideValues(const S& direction, const S& sine, const S& logReynolds,
-                  S (&values)[kSideValues]) const;
   void tabulateAxial(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
   void tabulateSide(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
-  [[nodiscard]] SideValues sideAt(const BladeElementRotor& rotor, double direction,
-                                  double sideAngle, double speed) const;
+  [[nodiscard]] GridValues sideAt(const BladeElementRotor& rotor, double direction,
+                                  double sideAngle, double logReynolds) const;
+  [[nodiscard]] GridValues sideTolerance(double share) const;
   void extrapolateEdges(std::size_t rows);
-  void extrapolateSideEdges();
-  [[nodiscard]] std::size_t sideIndex(std::size_t row, std::size_t angle,
-                                      std::size_t direction) const {
-    return (row * sideAngles_ + angle) * sideDirections_ + direction;
-  }
 
   std::vector<ThrustAndTorque> values_;  // one more point than the grid on every side
   std::size_t stride_ = 0;
   double directionsPerAngle_ = 0, lastDirection_ = 0;
   double leastLogReynolds_ = 0, rowsPerLog_ = 0, lastRow_ = 0;
-  std::vector<SideValues>
-      side_;  // rows of Reynolds number, side angle, direction; margins in the last two
-  std::size_t sideAngles_ = 0, sideDirections_ = 0;  // margins included
-  double sideDirectionsPerAngle_ = 0, sideAnglesPerAngle_ = 0, sideRowsPerLog_ = 0;
+  CubicTable side_;  // over chi, side angle and Reynolds number
+  std::size_t sideSolved_ = 0;
   double radius_ = 0, area_ = 0;
 };
-
-template <class S>
-void PropellerMap::sideValues(const S& direction, const S& sine, const S& logReynolds,
-                              S (&values)[kSideValues]) const {
-  using std::asin;
-  S t, directionWeight[4], angleWeight[4], share;
-  const std::size_t k = place(S((direction + std::numbers::pi / 2) * sideDirectionsPerAngle_),
-                              static_cast<double>(sideDirections_ - 3), t);
-  weigh(t, directionWeight);
-  const std::size_t j =
-      place(S(asin(sine) * sideAnglesPerAngle_), static_cast<double>(sideAngles_ - 3), t);
-  weigh(t, angleWeight);
-  const std::size_t i = place(S((logReynolds - leastLogReynolds_) * sideRowsPerLog_),
-                              static_cast<double>(kSideRows - 1), share);
-  for (S& value : values) value = S(0.0);
-  for (std::size_t r = 0; r < 2; ++r) {
-    const S rowWeight = r == 0 ? S(1.0 - share) : share;
-    for (std::size_t a = 0; a < 4; ++a) {
-      const SideValues* row = &side_[sideIndex(i + r, j + a, k)];
-      const S weight = rowWeight * angleWeight[a];
-      for (std::size_t c = 0; c < 4; ++c) {
-        const S both = weight * directionWeight[c];
-        for (std::size_t q = 0; q < kSideValues; ++q) values[q] += both * row[c][q];
-      }
-    }
-  }
-}
 
 template <class S, class Vector, class Axis>
 RotorLoad<S, Vector> PropellerMap::load(const S& w, const Vector& v, const Axis& axis, double spin,
                                         const S& density, double viscosity) const {
   using std::abs;
+  using std::asin;
   using std::atan2;
+  using std::exp;
   using std::log;
   using std::sqrt;
   const double sign = valueOf(w) < 0 ? -1 : 1;
   const S axialSpeed = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
-  const ThrustAndTorqueOf<S> still = axialLoad(w, axialSpeed, density, viscosity);
   RotorLoad<S, Vector> l;
-  l.thrust = still.thrust;
-  l.torque = still.torque;
   Vector inPlane;
   for (int k = 0; k < 3; ++k) inPlane[k] = v[k] - axialSpeed * axis[k];
   const S sideSquare = inPlane[0] * inPlane[0] + inPlane[1] * inPlane[1] + inPlane[2] * inPlane[2];
@@ -187,6 +147,9 @@ RotorLoad<S, Vector> PropellerMap::load(const S& w, const Vector& v, const Axis&
   // Below this the in-plane speed is noise, and its effect too.
   constexpr double kNoise = 1e-18;
   if (!(valueOf(sideSquare) > kNoise * valueOf(square)) || !(valueOf(density) > 0)) {
+    const ThrustAndTorqueOf<S> still = axialLoad(w, axialSpeed, density, viscosity);
+    l.thrust = still.thrust;
+    l.torque = still.torque;
     for (int k = 0; k < 3; ++k) {
       l.force[k] = l.thrust * axis[k];
       l.moment[k] = -spin * l.torque * axis[k];
@@ -194,20 +157,30 @@ RotorLoad<S, Vector> PropellerMap::load(const S& w, const Vector& v, const Axis&
     return l;
   }
   const S speed = sqrt(square), sine = sqrt(sideSquare) / speed;
-  const S along = sign * axialSpeed;
-  S value[kSideValues];
-  sideValues(S(atan2(along, across)), sine, S(log(S(density * speed * (radius_ / viscosity)))),
-             value);
+  const S direction = atan2(S(sign * axialSpeed), across);
+  const S logReynolds = log(S(density * speed * (radius_ / viscosity)));
+  const S x = direction / std::numbers::pi + 0.5,
+          z = (logReynolds - leastLogReynolds_) * (rowsPerLog_ / lastRow_);
+  S value[kGridValues];
+  side_.at(x, S(asin(sine) * (2 / std::numbers::pi)), z, value);
+  const S fading = sine * sine / (kAxialSine * kAxialSine);
+  if (valueOf(fading) < kFaded) {
+    // Without in-plane speed the finer table of axial flow holds.
+    S coarse[kGridValues];
+    side_.at(x, S(0.0), z, coarse);
+    const S share = exp(S(-fading));
+    const ThrustAndTorqueOf<S> still = axialCoefficients(direction, logReynolds);
+    value[0] += share * (still.thrust - coarse[0]);
+    value[1] += share * (still.torque - coarse[1]);
+  }
   const S pressure = 0.5 * area_ * density * square, lever = pressure * radius_;
-  l.thrust += sign * pressure * sine * sine * value[0];
-  l.torque += sign * lever * sine * sine * value[1];
-  // front, e1 and e2 of BladeElementRotor::load(), e1 and e2 here times sine.
+  l.thrust = sign * pressure * value[0];
+  l.torque = sign * lever * value[1];
+  // e1 of BladeElementRotor::load() times sine.
   for (int k = 0; k < 3; ++k) {
-    const int a = (k + 1) % 3, b = (k + 2) % 3;
     const S e1 = inPlane[k] / speed;
-    const S e2 = (spin * sign) * (axis[a] * inPlane[b] - axis[b] * inPlane[a]) / speed;
-    l.force[k] = l.thrust * axis[k] + pressure * (value[3] * e2 - value[2] * e1);
-    l.moment[k] = spin * (lever * (value[4] * e1 - value[5] * e2) - l.torque * axis[k]);
+    l.force[k] = l.thrust * axis[k] - pressure * value[2] * e1;
+    l.moment[k] = spin * (lever * value[3] * e1 - l.torque * axis[k]);
   }
   return l;
 }

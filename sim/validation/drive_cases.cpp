@@ -5,10 +5,10 @@
 #include <map>
 #include <numbers>
 
+#include "sim/core/parallel.h"
 #include "sim/io/csv.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/drive_fit.h"
-#include "sim/validation/parallel.h"
 #include "sim/validation/statistics.h"
 #include "sim/validation/text.h"
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/parallel.h"
 #include "sim/propulsion/propeller_map.h"
 #include "sim/validation/cases.h"
-#include "sim/validation/parallel.h"
 #include "sim/validation/text.h"
 #include "sim/validation/uiuc_data.h"
 

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/core/parallel.h"
 #include "sim/validation/cases.h"
-#include "sim/validation/parallel.h"
 #include "sim/validation/propeller_scores.h"
 #include "sim/validation/statistics.h"
 #include "sim/validation/text.h"

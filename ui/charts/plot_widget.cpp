@@ -119,6 +119,7 @@ void PlotWidget::paintCursors(QPainter& painter) {
     if (ring.axis >= content_.frame.y.size()) continue;
     const double unitX = content_.frame.x.scale.toUnit(ring.place.x());
     const double unitY = content_.frame.y[ring.axis].scale.toUnit(ring.place.y());
+    if (!std::isfinite(unitX) || !std::isfinite(unitY)) continue;  // not measured there
     const QPointF pixel(plot.left() + unitX * plot.width(), plot.bottom() - unitY * plot.height());
     if (plot.contains(pixel)) painter.drawEllipse(pixel, 5, 5);
   }

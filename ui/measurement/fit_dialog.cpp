@@ -77,6 +77,7 @@ FitDialog::FitDialog(DocumentModel& experiment, const RunList& runs, QWidget* pa
       form_(new ParameterForm(context_)),
       set_(new QComboBox),
       output_(new QComboBox),
+      rows_(new QLabel),
       message_(new QLabel),
       table_(new QTableWidget(0, 4)),
       chart_(new ChartPane(&chartRuns_, &link_)),
@@ -137,7 +138,9 @@ QWidget* FitDialog::buildResults() {
   table_->setAccessibleName(tr("Fitted values"));
   table_->setHorizontalHeaderLabels({tr("Quantity"), tr("Before"), tr("Fitted"), tr("Remark")});
   table_->verticalHeader()->hide();
-  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(3, QHeaderView::Stretch);  // remarks wrap
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
@@ -161,6 +164,9 @@ QWidget* FitDialog::buildResults() {
 }
 
 void FitDialog::buildButtons() {
+  rows_->setObjectName("fitRows");
+  rows_->setAccessibleName(tr("Rows at the current limit"));
+  rows_->setWordWrap(true);
   message_->setObjectName("fitMessage");
   message_->setWordWrap(true);
   message_->setTextFormat(Qt::PlainText);
@@ -185,6 +191,7 @@ void FitDialog::buildButtons() {
   save_ = add("fitSave", tr("&Save to library…"), &FitDialog::save);
   for (auto* button : buttons->findChildren<QPushButton*>()) button->setAutoDefault(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  layout()->addWidget(rows_);
   layout()->addWidget(message_);
   layout()->addWidget(bar_);
   layout()->addWidget(buttons);
@@ -201,9 +208,13 @@ void FitDialog::check() {
   if (measured_.empty()) {
     lines << tr("There are no measured data yet: import them first.");
   } else if (!request_.hasErrors()) {
-    for (const std::string& line : missingFor(request_.as<FitRequest>(), table(), target_.start()))
+    const MeasuredTable measured = table();
+    const FitStart start = target_.start();
+    for (const std::string& line : missingFor(request_.as<FitRequest>(), measured, start))
       lines << toQString(line);
+    rows_->setText(toQString(limitedRowsText(request_.as<FitRequest>(), measured, start)));
   }
+  rows_->setVisible(!rows_->text().isEmpty());
   run_->setEnabled(!running && lines.isEmpty() && !request_.hasErrors());
   cancel_->setEnabled(running);
   use_->setEnabled(!running && component_ && !target_.place(asked_).isEmpty());
@@ -279,6 +290,7 @@ void FitDialog::showResult() {
          prettyUnit(toQString(valueText(p))), toQString(p.remark)});
   }
   for (const FittedOutput& o : result.outputs) {
+    if (o.count == 0) continue;
     const auto shown = [&](double value) {
       return prettyUnit(toQString(numberIn(value, o.output.unit, o.output.shown)));
     };
@@ -288,12 +300,12 @@ void FitDialog::showResult() {
              ? tr("R² %1 over %2 values").arg(locale.toString(o.rSquared, 'f', 4)).arg(o.count)
              : tr("%1 values").arg(o.count)});
   }
-  table_->resizeColumnsToContents();
   const QSignalBlocker quiet(output_);
   output_->clear();
   pictures_->setVisible(result.usable());
-  if (result.usable()) {
-    for (const FitOutput& o : outcome_->problem.outputs) output_->addItem(toQString(o.label));
+  for (std::size_t i = 0; result.usable() && i < result.outputs.size(); ++i) {
+    const FittedOutput& o = result.outputs[i];
+    if (o.count > 0) output_->addItem(toQString(o.output.label), static_cast<int>(i));
   }
   showOutput();
 }
@@ -303,7 +315,7 @@ void FitDialog::showOutput() {
     chartRuns_.setRuns({});
     return;
   }
-  const auto chosen = static_cast<std::size_t>(output_->currentIndex());
+  const auto chosen = static_cast<std::size_t>(output_->currentData().toInt());
   const FitProblem& problem = outcome_->problem;
   ChartSpec spec;
   spec.title = tr("%1 over %2")

@@ -89,6 +89,7 @@ class FitDialog : public QDialog {
   ChartLink link_;
   ParameterForm* form_;
   QComboBox *set_, *output_;
+  QLabel* rows_;
   QLabel* message_;
   QTableWidget* table_;
   ChartPane* chart_;

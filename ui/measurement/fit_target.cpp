@@ -1,6 +1,7 @@
 #include "ui/measurement/fit_target.h"
 
 #include <QCoreApplication>
+#include <algorithm>
 
 #include "sim/core/schema_tree.h"
 #include "sim/experiment/drive_stand.h"
@@ -95,8 +96,13 @@ FitTarget::FitTarget(DocumentModel& experiment) : experiment_(experiment) {}
 FitStart FitTarget::start() const {
   const schema::ConstRef root = experiment_.root();
   FitStart start;
-  if (const auto* motor = objectIn<MotorParameters>(root)) start.motor = *motor;
-  if (const auto* esc = objectIn<EscParameters>(root)) start.escResistance = esc->resistance;
+  const auto* motor = objectIn<MotorParameters>(root);
+  if (motor != nullptr) start.motor = *motor;
+  if (const auto* esc = objectIn<EscParameters>(root)) {
+    start.escResistance = esc->resistance;
+    start.currentLimit =
+        motor != nullptr ? std::min(esc->maxCurrent, motor->maxCurrent) : esc->maxCurrent;
+  }
   if (const auto* propeller = objectIn<PropellerGeometry>(root)) start.propeller = *propeller;
   if (const auto* settings = objectIn<BladeElementSettings>(root)) start.settings = *settings;
   if (const auto lumped = lumpedIn(root)) {

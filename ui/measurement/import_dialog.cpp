@@ -7,18 +7,18 @@
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QKeyEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSettings>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QVBoxLayout>
 
-#include "ui/forms/field_text.h"
+#include "ui/measurement/choice_box.h"
+#include "ui/measurement/layout_row.h"
 #include "ui/measurement/mapping_memory.h"
 #include "ui/measurement/mapping_table.h"
+#include "ui/measurement/propeller_row.h"
 
 namespace rotorbench {
 
@@ -28,26 +28,19 @@ constexpr auto kFolderKey = "measurement/folder";
 constexpr int kCheckMilliseconds = 150;
 constexpr int kReportLines = 5;
 
-/// A box with the options of a described choice, their keys as data.
-QComboBox* choiceBox(const schema::Type& type, std::string_view field, const char* name) {
-  auto* box = new QComboBox;
-  box->setObjectName(name);
-  for (const schema::Option& option : type.field(field)->options) {
-    box->addItem(toQString(option.label), toQString(option.key));
-  }
-  box->setAccessibleName(toQString(type.field(field)->label));
-  return box;
+/// "log" of "log.csv" and of "log.csv.gz".
+QString nameOf(const QString& file) {
+  const QFileInfo info(file);
+  const QString name = info.completeBaseName();
+  return info.suffix() == "gz" ? QFileInfo(name).completeBaseName() : name;
 }
 
-template <class Owner>
-QString keyOf(const Owner& owner, std::string_view field) {
-  const schema::Field& f = *schema::typeOf<Owner>().field(field);
-  return toQString(std::get<std::string>(f.read(&owner)));
-}
-
-template <class Owner>
-void take(Owner& owner, std::string_view field, const QComboBox& box) {
-  schema::typeOf<Owner>().field(field)->write(&owner, box.currentData().toString().toStdString());
+/// With the line or the column it is about.
+QString placedSentence(const Problem& problem) {
+  if (problem.path.empty()) return problemSentence(problem);
+  Problem placed = problem;
+  placed.what = problem.path + ": " + problem.what;
+  return problemSentence(placed);
 }
 
 }  // namespace
@@ -56,7 +49,7 @@ ImportDialog::ImportDialog(RunList& runs, QWidget* parent) : QDialog(parent), ru
   setObjectName("importDialog");
   setWindowTitle(tr("Import measured data"));
   setAttribute(Qt::WA_DeleteOnClose);
-  resize(900, 620);
+  resize(960, 660);
   build();
   checkTimer_.setSingleShot(true);
   checkTimer_.setInterval(kCheckMilliseconds);
@@ -80,10 +73,16 @@ void ImportDialog::build() {
   auto* form = new QFormLayout;
   form->addRow(tr("File:"), fileRow);
   form->addRow(tr("Name:"), name_);
-  layoutRow_ = buildLayoutRow();
+  layoutRow_ = new LayoutRow;
   form->addRow(tr("Cells:"), layoutRow_);
   group_ = choiceBox(schema::typeOf<ImportSettings>(), "group", "importGroup");
-  form->addRow(tr("Compare with:"), group_);
+  propeller_ = new PropellerRow;
+  propeller_->hide();
+  auto* groupRow = new QHBoxLayout;
+  groupRow->addWidget(group_);
+  groupRow->addWidget(propeller_);
+  groupRow->addStretch(1);
+  form->addRow(tr("Compare with:"), groupRow);
 
   table_ = new MappingTable;
   report_ = new QPlainTextEdit;
@@ -105,6 +104,12 @@ void ImportDialog::build() {
     const QString path = QDir::fromNativeSeparators(file_->text().trimmed());
     if (!path.isEmpty() && file_->isModified()) openFile(path);
   });
+  connect(layoutRow_, &LayoutRow::edited, this, &ImportDialog::layoutEdited);
+  connect(propeller_, &PropellerRow::speedChosen, this, &ImportDialog::mappingEdited);
+  connect(propeller_, &PropellerRow::said, this, [this](const QString& sentence) {
+    report_->setPlainText(sentence);
+    emit imported(sentence);
+  });
   connect(group_, &QComboBox::currentIndexChanged, this, &ImportDialog::mappingEdited);
   connect(table_, &MappingTable::mappingChanged, this, &ImportDialog::mappingEdited);
   connect(buttons_, &QDialogButtonBox::accepted, this, &ImportDialog::finish);
@@ -116,58 +121,25 @@ ImportDialog::~ImportDialog() {
   file_->disconnect(this);
 }
 
-// Enter in the path opens the file; it must not import what was open before.
+// Enter in a line takes over what was typed there; it must not import what was open before.
 void ImportDialog::keyPressEvent(QKeyEvent* event) {
   const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-  if (!enter || !file_->hasFocus()) QDialog::keyPressEvent(event);
-}
-
-QWidget* ImportDialog::buildLayoutRow() {
-  const schema::Type& type = schema::typeOf<CsvLayout>();
-  separator_ = choiceBox(type, "separator", "importSeparator");
-  mark_ = choiceBox(type, "decimalMark", "importDecimalMark");
-  const auto spin = [&](const char* field, const char* name) {
-    auto* box = new QSpinBox;
-    box->setObjectName(name);
-    box->setAccessibleName(toQString(type.field(field)->label));
-    box->setToolTip(toQString(type.field(field)->help));
-    box->setRange(0, 1000000);
-    box->setKeyboardTracking(false);
-    return box;
-  };
-  header_ = spin("headerLine", "importHeaderLine");
-  skipped_ = spin("skippedLines", "importSkippedLines");
-  auto* widget = new QWidget;
-  auto* row = new QHBoxLayout(widget);
-  row->setContentsMargins(0, 0, 0, 0);
-  for (auto [label, box] :
-       std::initializer_list<std::pair<QString, QWidget*>>{{tr("Separated by"), separator_},
-                                                           {tr("Decimal mark"), mark_},
-                                                           {tr("Names in line"), header_},
-                                                           {tr("Then skip"), skipped_}}) {
-    row->addWidget(new QLabel(label));
-    row->addWidget(box);
-  }
-  row->addStretch(1);
-  for (QComboBox* box : {separator_, mark_})
-    connect(box, &QComboBox::currentIndexChanged, this, &ImportDialog::layoutEdited);
-  for (QSpinBox* box : {header_, skipped_})
-    connect(box, &QSpinBox::valueChanged, this, &ImportDialog::layoutEdited);
-  return widget;
+  const bool inLine = qobject_cast<QLineEdit*>(focusWidget()) != nullptr && !name_->hasFocus();
+  if (!enter || !inLine) QDialog::keyPressEvent(event);
 }
 
 void ImportDialog::browse() {
   const QString folder = QSettings().value(kFolderKey, QDir::homePath()).toString();
   const QString chosen = QFileDialog::getOpenFileName(
       this, tr("Import measured data"), folder,
-      tr("Tables of text (*.csv *.txt *.tsv *.dat *.log);;All files (*)"));
+      tr("Tables of text (*.csv *.txt *.tsv *.dat *.log *.gz);;All files (*)"));
   if (!chosen.isEmpty()) openFile(chosen);
 }
 
 void ImportDialog::openFile(const QString& file) {
   file_->setText(QDir::toNativeSeparators(file));
   file_->setModified(false);
-  name_->setText(QFileInfo(file).completeBaseName());
+  name_->setText(nameOf(file));
   QSettings().setValue(kFolderKey, QFileInfo(file).absolutePath());
   lines_.reset();
   try {
@@ -175,41 +147,36 @@ void ImportDialog::openFile(const QString& file) {
   } catch (const InputError& error) {
     preview_ = {};
     table_->show(preview_, {});
-    return say(problemSentence(error.problems().front()), false);
+    propeller_->hide();
+    return say(placedSentence(error.problems().front()), false);
   }
+  const std::string title(lines_->tooLong(0) ? std::string_view() : lines_->line(0));
+  propeller_->setNames({toQString(title), name_->text()}, file);
   const ImportSettings guessed = guessSettings(*lines_);
-  const CsvPreview preview = previewOf(*lines_, guessed.layout);
-  takeSettings(rememberedSettings(preview).value_or(guessed));
+  guessed_ = previewOf(*lines_, guessed.layout);
+  ImportSettings settings = rememberedSettings(guessed_).value_or(guessed);
+  // The same columns may stand below other lines than last time.
+  if (!checkSettings(settings, previewOf(*lines_, settings.layout)).empty())
+    settings.layout = guessed.layout;
+  takeSettings(settings);
 }
 
 void ImportDialog::takeSettings(const ImportSettings& settings) {
   settings_ = settings;
-  const QSignalBlocker quiet[] = {QSignalBlocker(separator_), QSignalBlocker(mark_),
-                                  QSignalBlocker(header_), QSignalBlocker(skipped_),
-                                  QSignalBlocker(group_)};
-  separator_->setCurrentIndex(separator_->findData(keyOf(settings.layout, "separator")));
-  mark_->setCurrentIndex(mark_->findData(keyOf(settings.layout, "decimalMark")));
-  header_->setValue(settings.layout.headerLine);
-  skipped_->setValue(settings.layout.skippedLines);
-  group_->setCurrentIndex(group_->findData(keyOf(settings, "group")));
+  layoutRow_->show(settings.layout);
+  {
+    const QSignalBlocker quiet(group_);
+    showChoice(settings, "group", *group_);
+  }
   preview_ = previewOf(*lines_, settings_.layout);
   table_->show(preview_, settings_.columns);
   check();
 }
 
-CsvLayout ImportDialog::chosenLayout() const {
-  CsvLayout layout = settings_.layout;
-  take(layout, "separator", *separator_);
-  take(layout, "decimalMark", *mark_);
-  layout.headerLine = header_->value();
-  layout.skippedLines = skipped_->value();
-  return layout;
-}
-
 // Other columns may be other quantities: choices for columns of the same name stay, the rest is guessed.
 void ImportDialog::layoutEdited() {
   if (!lines_) return;
-  settings_.layout = chosenLayout();
+  settings_.layout = layoutRow_->layout();
   preview_ = previewOf(*lines_, settings_.layout);
   std::vector<ColumnMapping> columns = guessMapping(preview_);
   for (ColumnMapping& column : columns) {
@@ -224,7 +191,7 @@ void ImportDialog::layoutEdited() {
 
 void ImportDialog::mappingEdited() {
   if (!lines_) return;
-  take(settings_, "group", *group_);
+  takeChoice(settings_, "group", *group_);
   settings_.columns = table_->columns();
   checkTimer_.start();
 }
@@ -232,15 +199,19 @@ void ImportDialog::mappingEdited() {
 void ImportDialog::check() {
   if (!lines_) return;
   const ImportResult result = importTable(*lines_, settings_);
+  propeller_->show(result.usable() ? result.table : MeasuredTable{});
+  const MeasuredTable table = propeller_->chosen(result.table);
+  table_->showRanges(table, settings_.group);
+  if (const QStringList faults = table_->faults(); !faults.isEmpty())
+    return say(faults.join('\n'), false);
   QStringList sentences;
   if (result.usable()) {
     QStringList names;
-    for (const Channel& channel : result.table.channels) names << toQString(channel.name);
-    sentences << tr("%n row(s) of %1 will be imported.", nullptr,
-                    static_cast<int>(result.table.rows()))
+    for (const Channel& channel : table.channels) names << toQString(channel.name);
+    sentences << tr("%n row(s) of %1 will be imported.", nullptr, static_cast<int>(table.rows()))
                      .arg(names.join(", "));
   }
-  for (const Problem& problem : result.problems) sentences << problemSentence(problem);
+  for (const Problem& problem : result.problems) sentences << placedSentence(problem);
   say(sentences.join('\n'), result.usable());
 }
 
@@ -253,13 +224,15 @@ void ImportDialog::say(const QString& text, bool usable) {
 
 void ImportDialog::finish() {
   checkTimer_.stop();
+  settings_.columns = table_->columns();
   const ImportResult result = importTable(*lines_, settings_);
-  if (!result.usable()) return check();
-  rememberSettings(preview_, settings_);
+  if (!result.usable() || !table_->faults().isEmpty()) return check();
+  const MeasuredTable table = propeller_->chosen(result.table);
+  rememberSettings(guessed_, settings_);
   const QString name = name_->text().trimmed().isEmpty() ? tr("Measured data") : name_->text();
-  runs_.addMeasured(name, tr("From %1").arg(file_->text()), recordingOf(result.table));
-  emit imported(tr("%1: %n row(s) imported.", nullptr, static_cast<int>(result.table.rows()))
-                    .arg(name.trimmed()));
+  runs_.addMeasured(name, tr("From %1").arg(file_->text()), recordingOf(table));
+  emit imported(
+      tr("%1: %n row(s) imported.", nullptr, static_cast<int>(table.rows())).arg(name.trimmed()));
   accept();
 }
 

@@ -11,14 +11,14 @@
 
 class QComboBox;
 class QDialogButtonBox;
-class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
-class QSpinBox;
 
 namespace rotorbench {
 
+class LayoutRow;
 class MappingTable;
+class PropellerRow;
 
 class ImportDialog : public QDialog {
   Q_OBJECT
@@ -31,7 +31,7 @@ class ImportDialog : public QDialog {
   void openFile(const QString& file);
 
  signals:
-  /// A measured run was added; one sentence about it.
+  /// A measured run was added, or a propeller was saved; one sentence about it.
   void imported(const QString& sentence);
 
  protected:
@@ -39,10 +39,8 @@ class ImportDialog : public QDialog {
 
  private:
   void build();
-  QWidget* buildLayoutRow();
   void browse();
   void takeSettings(const ImportSettings& settings);
-  [[nodiscard]] CsvLayout chosenLayout() const;
   void layoutEdited();
   void mappingEdited();
   void check();
@@ -53,17 +51,15 @@ class ImportDialog : public QDialog {
   std::optional<TextLines> lines_;
   ImportSettings settings_;
   CsvPreview preview_;
+  CsvPreview guessed_;  ///< in the layout nobody changed yet: what the choices are remembered for
   QTimer checkTimer_;
 
   QLineEdit* file_ = nullptr;
   QLineEdit* name_ = nullptr;
-  QComboBox* separator_ = nullptr;
-  QComboBox* mark_ = nullptr;
+  LayoutRow* layoutRow_ = nullptr;
   QComboBox* group_ = nullptr;
-  QSpinBox* header_ = nullptr;
-  QSpinBox* skipped_ = nullptr;
-  QWidget* layoutRow_ = nullptr;
   MappingTable* table_ = nullptr;
+  PropellerRow* propeller_ = nullptr;
   QPlainTextEdit* report_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;
 };

@@ -4,8 +4,11 @@
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/forms/field_text.h"
+#include "ui/forms/plain_locale.h"
+#include "ui/forms/quantity_edit.h"
 
 namespace rotorbench {
 
@@ -34,13 +37,14 @@ MappingTable::MappingTable(QWidget* parent) : QTableWidget(parent) {
   setSelectionMode(NoSelection);
   setTabKeyNavigation(false);
   setWordWrap(false);
-  setMinimumHeight(9 * fontMetrics().lineSpacing());  // both choices and a few rows
-  verticalHeader()->hide();
+  setMinimumHeight(14 * fontMetrics().lineSpacing());  // the choices and a few rows
+  verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
 }
 
 void MappingTable::show(const CsvPreview& preview, const std::vector<ColumnMapping>& columns) {
   columns_.clear();
+  faults_.clear();
   clear();
   const int rows = std::min(static_cast<int>(preview.rows), kRowsShown);
   setRowCount(kFirstDataRow + rows);
@@ -58,30 +62,53 @@ void MappingTable::show(const CsvPreview& preview, const std::vector<ColumnMappi
     }
     addChoices(c);
   }
+  QStringList headings{tr("Quantity"), tr("Unit"), tr("Scale"), tr("Offset"), tr("Range")};
+  for (int r = 1; r <= rows; ++r) headings << QString::number(r);
+  setVerticalHeaderLabels(headings);
+  verticalHeaderItem(kScaleRow)->setToolTip(
+      toQString(schema::typeOf<ColumnMapping>().field("scale")->help));
+  verticalHeaderItem(kOffsetRow)
+      ->setToolTip(toQString(schema::typeOf<ColumnMapping>().field("offset")->help));
+  verticalHeaderItem(kRangeRow)->setToolTip(
+      tr("Least and largest value of what is imported, in SI units."));
   resizeColumnsToContents();
   resizeRowsToContents();
 }
 
-QComboBox* MappingTable::addBox(int row, int column, const QString& objectName,
-                                const QString& accessibleName) {
-  auto* box = new QComboBox;
-  box->setObjectName(objectName + QString::number(column));
-  box->setAccessibleName(accessibleName.arg(horizontalHeaderItem(column)->text()));
-  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+void MappingTable::place(QWidget* widget, int row, int column, const char* name,
+                         const QString& accessibleName) {
+  widget->setObjectName(name + QString::number(column));
+  widget->setAccessibleName(accessibleName.arg(horizontalHeaderItem(column)->text()));
   // The wheel scrolls the table; a choice needs a click or a key.
-  box->setFocusPolicy(Qt::StrongFocus);
-  setCellWidget(row, column, box);
-  return box;
+  widget->setFocusPolicy(Qt::StrongFocus);
+  widget->installEventFilter(this);
+  widget->setProperty("column", column);
+  setCellWidget(row, column, widget);
+}
+
+// Who comes by the Tab key sees where.
+bool MappingTable::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::FocusIn && watched->property("column").isValid()) {
+    const int column = watched->property("column").toInt();
+    for (int row = kQuantityRow; row <= kOffsetRow; ++row) {
+      if (cellWidget(row, column) == watched) scrollTo(model()->index(row, column));
+    }
+  }
+  return QTableWidget::eventFilter(watched, event);
 }
 
 void MappingTable::addChoices(int column) {
   const ColumnMapping& mapping = columns_[static_cast<std::size_t>(column)];
-  QComboBox* quantity = addBox(kQuantityRow, column, "quantity", tr("What the column %1 is"));
+  auto* quantity = new QComboBox;
+  quantity->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  place(quantity, kQuantityRow, column, "quantity", tr("What the column %1 is"));
   addQuantities(*quantity);
   quantity->setCurrentIndex(std::max(quantity->findData(toQString(mapping.quantity)), 0));
   connect(quantity, &QComboBox::currentIndexChanged, this,
           [this, quantity, column] { chooseQuantity(column, quantity->currentData().toString()); });
-  QComboBox* unit = addBox(kUnitRow, column, "unit", tr("Unit of the column %1"));
+  auto* unit = new QComboBox;
+  unit->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  place(unit, kUnitRow, column, "unit", tr("Unit of the column %1"));
   fillUnits(column);
   connect(unit, &QComboBox::currentTextChanged, this, [this, unit, column] {
     columns_[static_cast<std::size_t>(column)].unit =
@@ -89,6 +116,74 @@ void MappingTable::addChoices(int column) {
                                       : unit->currentText().toStdString();
     emit mappingChanged();
   });
+  addNumber(kScaleRow, column, &ColumnMapping::scale);
+  addNumber(kOffsetRow, column, &ColumnMapping::offset);
+  auto* range = new QTableWidgetItem;
+  range->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  setItem(kRangeRow, column, range);
+  enableNumbers(column);
+}
+
+void MappingTable::addNumber(int row, int column, double ColumnMapping::*member) {
+  const bool scale = row == kScaleRow;
+  auto* edit = new QuantityEdit(*schema::typeOf<ColumnMapping>().field(scale ? "scale" : "offset"),
+                                plainLocale());
+  place(edit, row, column, scale ? "scale" : "offset",
+        scale ? tr("Scale of the column %1") : tr("Offset of the column %1"));
+  edit->setValue(columns_[static_cast<std::size_t>(column)].*member);
+  const std::pair at{column, row};
+  connect(edit, &QuantityEdit::committed, this, [this, at, member](const schema::Value& value) {
+    faults_.erase(at);
+    columns_[static_cast<std::size_t>(at.first)].*member = std::get<double>(value);
+    emit mappingChanged();
+  });
+  connect(
+      edit, &QuantityEdit::rejected, this, [this, at, scale](const QString&, const QString& why) {
+        const QString name = toQString(columns_[static_cast<std::size_t>(at.first)].column);
+        faults_[at] =
+            (scale ? tr("Column “%1”, scale: %2") : tr("Column “%1”, offset: %2")).arg(name, why);
+        emit mappingChanged();
+      });
+  connect(edit, &CommitEdit::reverted, this, [this, at] {
+    if (faults_.erase(at) > 0) emit mappingChanged();
+  });
+}
+
+QStringList MappingTable::faults() const {
+  QStringList sentences;
+  for (const auto& [at, sentence] : faults_) {
+    if (!columns_[static_cast<std::size_t>(at.first)].quantity.empty()) sentences << sentence;
+  }
+  return sentences;
+}
+
+void MappingTable::showRanges(const MeasuredTable& table, ChannelGroup group) {
+  const QLocale locale;
+  for (int c = 0; c < columnCount(); ++c) {
+    const ColumnMapping& mapping = columns_[static_cast<std::size_t>(c)];
+    const std::string name = mapping.quantity.empty() ? "" : channelOf(mapping, group).name;
+    QString text;
+    for (std::size_t i = 0; i < table.channels.size() && !name.empty(); ++i) {
+      if (table.channels[i].name != name) continue;
+      double low = INFINITY, high = -INFINITY;
+      for (const double value : table.columns[i]) {
+        if (std::isfinite(value)) low = std::min(low, value), high = std::max(high, value);
+      }
+      if (!(low <= high)) continue;
+      const QString unit =
+          table.channels[i].unit == "1" ? QString() : toQString(table.channels[i].unit);
+      text = tr("%1 … %2 %3")
+                 .arg(locale.toString(low, 'g', 4), locale.toString(high, 'g', 4), prettyUnit(unit))
+                 .trimmed();
+    }
+    item(kRangeRow, c)->setText(text);
+  }
+  resizeColumnsToContents();
+}
+
+void MappingTable::enableNumbers(int column) {
+  const bool taken = !columns_[static_cast<std::size_t>(column)].quantity.empty();
+  for (const int row : {kScaleRow, kOffsetRow}) cellWidget(row, column)->setEnabled(taken);
 }
 
 void MappingTable::fillUnits(int column) {
@@ -119,6 +214,7 @@ void MappingTable::chooseQuantity(int column, const QString& chosen) {
   if (quantity != nullptr && !conversionOf(*quantity, mapping.unit)) mapping.unit = quantity->shown;
   if (mapping.quantity == kOtherQuantity) mapping.channel = mapping.column;
   fillUnits(column);
+  enableNumbers(column);
   emit mappingChanged();
 }
 

@@ -59,6 +59,31 @@ MeasuredTable stand(double noise, unsigned seed, double supply = 15) {
   return table;
 }
 
+/// As above with a speed controller that lets no more than `limit` through the motor: there K i_max = friction + k_m w^2, and
+/// the supply gives the power of the motor.
+MeasuredTable limitedStand(double noise, unsigned seed, double limit, double supply = 15) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> scatter(0, 1);
+  MeasuredTable table = stand(0, 0, supply);
+  table.channels.push_back({"motor.current", "A", {}});
+  table.columns.emplace_back();
+  const MotorConstants m = buildMotor(truth());
+  const double b = m.viscousFriction, c = m.dryFriction - m.torqueConstant * limit;
+  const double most = (-b + std::sqrt(b * b - 4 * kLoad * c)) / (2 * kLoad);
+  for (std::size_t r = 0; r < table.rows(); ++r) {
+    double &speed = table.columns[1][r], &current = table.columns[3][r];
+    double motor = current / table.columns[0][r];
+    if (speed > most) {
+      speed = most, motor = limit;
+      current = (m.resistance * limit + m.torqueConstant * most) * limit / supply;
+    }
+    speed += noise * 2 * scatter(random);
+    current += noise * 0.03 * scatter(random);
+    table.columns[5].push_back(motor);
+  }
+  return table;
+}
+
 MotorFitSetup setupFor(ShaftTorque torque) {
   MotorFitSetup setup;
   setup.torque = torque;
@@ -75,6 +100,8 @@ class TestFits : public QObject {
   void motorWithoutNoise_data();
   void motorWithoutNoise();
   void motorIntervalsCoverTheTruth();
+  void limitedRowsAreLeftOut_data();
+  void limitedRowsAreLeftOut();
   void motorByPower();
   void saysWhatIsMissing();
   void escResistanceIsTakenOff();
@@ -127,6 +154,59 @@ void TestFits::motorIntervalsCoverTheTruth() {
     qInfo("%s covered in %d of %d", keys[k], covered[k], kStands);
     QVERIFY(std::abs(covered[k] / double(kStands) - 0.95) < 0.055);
   }
+}
+
+void TestFits::limitedRowsAreLeftOut_data() {
+  QTest::addColumn<bool>("measured");  // the motor current
+  QTest::addColumn<int>("every");      // of the throttle steps of 3 %
+  QTest::addRow("from supply current and duty") << false << 1;
+  QTest::addRow("from supply current and duty, steps of 9 %%") << false << 3;
+  QTest::addRow("from the motor current") << true << 1;
+}
+
+/// 12 A are reached at 61 % throttle. With the rows beyond it the constants are far outside their 95 % intervals; without
+/// them the intervals cover the truth as often as they should: three standard deviations of the share are 6.5 points.
+void TestFits::limitedRowsAreLeftOut() {
+  QFETCH(bool, measured);
+  QFETCH(int, every);
+  constexpr int kStands = 100;
+  constexpr double kLimit = 12;
+  const char* keys[] = {"speedConstant", "resistance", "noLoadCurrent", "torqueCoefficient"};
+  const double values[] = {truth().speedConstant, truth().resistance, truth().noLoadCurrent, kLoad};
+  MotorFitSetup setup = setupFor(ShaftTorque::Propeller);
+  setup.fitViscousShare = false;
+  setup.start.viscousShare = truth().viscousShare;
+  int covered[4] = {}, coveredWithAll[4] = {};
+  for (unsigned seed = 1; seed <= kStands; ++seed) {
+    MeasuredTable table = limitedStand(1, seed, kLimit);
+    if (!measured) table.channels.pop_back(), table.columns.pop_back();
+    for (auto& column : table.columns) {
+      std::vector<double> some;
+      for (std::size_t r = 0; r < column.size(); r += static_cast<std::size_t>(every))
+        some.push_back(column[r]);
+      column = some;
+    }
+    for (const bool leaveOut : {false, true}) {
+      setup.currentLimit = leaveOut ? kLimit : 0;
+      const MotorFitRows rows = motorFitRows(table, setup);
+      QCOMPARE(rows.used + rows.limited, table.rows());
+      QCOMPARE(rows.limited > 0, leaveOut);
+      for (std::size_t r = 0; leaveOut && r < rows.used; ++r) QVERIFY(table.columns[0][r] < 0.61);
+      const FitResult result = solveLeastSquares(motorFitProblem(table, setup));
+      QVERIFY2(result.usable(), result.sentence.c_str());
+      for (int k = 0; k < 4; ++k) {
+        const FittedParameter& p = *result.find(keys[k]);
+        const bool inside = p.halfWidth && std::abs(p.value - values[k]) <= *p.halfWidth;
+        (leaveOut ? covered : coveredWithAll)[k] += inside;
+      }
+    }
+  }
+  for (int k = 0; k < 4; ++k) {
+    qInfo("%s: covered in %d of %d, with all rows in %d", keys[k], covered[k], kStands,
+          coveredWithAll[k]);
+    QVERIFY(std::abs(covered[k] / double(kStands) - 0.95) < 0.065);
+  }
+  QVERIFY(coveredWithAll[0] < kStands / 10 && coveredWithAll[1] < kStands / 10);
 }
 
 /// Without the duty only the power of the motor is known: K is needed from elsewhere, the fit says so.

@@ -64,11 +64,12 @@ void TestCsvImport::guessesRealLogs_data() {
          "supply.current=Current [A] motor.speed=Motor Electrical Speed [rpm] "
          "power.electrical=Electrical Power [W] thrust_per_power=Overall Efficiency [gf/W]"
       << 11;
-  QTest::addRow("AutoQuad") << "autoquad_log.csv"
-                            << "supply.current=Amps [A] supply.voltage=Batt. Volts [V] "
-                               "motor.voltage=Motor Volts [V] motor.speed=RPM [rpm] "
-                               "throttle=Duty [%]"
-                            << 59;
+  QTest::addRow("AutoQuad")
+      << "autoquad_log.csv"
+      << "time=Timestamp [s] supply.current=Amps [A] supply.voltage=Batt. Volts [V] "
+         "motor.voltage=Motor Volts [V] motor.speed=RPM [rpm] "
+         "throttle=Duty [%]"
+      << 59;
   QTest::addRow("Crazyflie") << "crazyflie_stock_prop.csv"
                              << "thrust=weight [g] throttle=pwm [1] supply.voltage=vbat [V] "
                                 "motor.speed=rpm1 [rpm] supply.current=i [A] power.electrical=p [W]"
@@ -124,7 +125,9 @@ void TestCsvImport::guessesLayouts_data() {
              "       (mph)     (Adv Ratio)                                       (Hp)    (Lbf)\n"
              "         0.0        0.00      0.0000      0.1102      0.0428       0.003   0.140\n"
              "         0.5        0.02      0.0621      0.1086      0.0432       0.003   0.138\n")
-      << "advance_ratio=J [1] ct=Ct [1] cp=Cp [1] power.shaft=PWR [W] thrust=Thrust [N]" << 0.02;
+      << "motor.speed=PROP RPM [rpm] air_speed=V [mph] advance_ratio=J [1] efficiency=Pe [1] ct=Ct "
+         "[1] cp=Cp [1] power.shaft=PWR [hp] thrust=Thrust [lbf]"
+      << 0.02;
   QTest::addRow("preamble")
       << QByteArray("Log of stand 7\nOperator: K\n\ntime [s],thrust [N]\n0,1\n0.5,2\n")
       << "time=time [s] thrust=thrust [N]" << 0.5;

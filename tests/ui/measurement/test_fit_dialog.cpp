@@ -1,5 +1,6 @@
 // The fit dialog as a person uses it, on data made with a motor that is known: the values found, used in the experiment,
 // undone, and saved.
+#include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -33,7 +34,7 @@ Experiment standWithMotor(const MotorParameters& motor) {
 }
 
 /// Steady points of the stand as a log would have them: what the fit has to find is in `motor`.
-std::shared_ptr<const Recording> logOf(const MotorParameters& motor) {
+std::shared_ptr<const Recording> logOf(const MotorParameters& motor, int steps = 13) {
   const Experiment experiment = standWithMotor(motor);
   const DriveTrain train = buildDriveTrain(std::get<ThrustStand>(experiment.setup).stand);
   auto recording = std::make_shared<Recording>(std::vector<Channel>{{"throttle", "1", ""},
@@ -41,7 +42,7 @@ std::shared_ptr<const Recording> logOf(const MotorParameters& motor) {
                                                                     {"supply.voltage", "V", ""},
                                                                     {"supply.current", "A", ""}});
   // Beyond this throttle the current limit holds the motor back, which no constant of it explains.
-  for (int k = 4; k <= 13; ++k) {
+  for (int k = 4; k <= steps; ++k) {
     const auto y = train.steadyState(k / 20.0, 1, 0);
     const auto at = train.instant(y);
     // A little scatter, always the same: 0.1 % of speed and current.
@@ -59,11 +60,11 @@ struct Fixture {
   RunList runs;
   QPointer<FitDialog> dialog;
 
-  explicit Fixture(bool withData = true) {
+  explicit Fixture(bool withData = true, int steps = 13) {
     truth.speedConstant = 1100 * kRpm;
     truth.resistance = 0.15;
     truth.noLoadCurrent = 0.8;
-    if (withData) runs.addMeasured("stand.csv", {}, logOf(truth));
+    if (withData) runs.addMeasured("stand.csv", {}, logOf(truth, steps));
     dialog = new FitDialog(model, runs);
     dialog->resize(1000, 680);
     dialog->show();
@@ -160,6 +161,40 @@ class TestFitDialog : public QObject {
     emit model->activated(row);
     QTRY_VERIFY(!f.button("fitRun")->isEnabled());
     QVERIFY2(f.message().contains("hrust"), qPrintable(f.message()));
+  }
+
+  /// A log to full throttle, of a stand whose motor takes at most 20 A: the dialog says how many rows that spoils, and leaves
+  /// them out if asked to. With them the resistance is wrong by far more than its interval.
+  void leavesOutRowsAtTheCurrentLimit() {
+    Fixture f(true, 20);
+    const auto* rows = f.dialog->findChild<QLabel*>("fitRows");
+    QVERIFY(rows->isVisible());
+    QVERIFY2(rows->text().endsWith("of 17 rows could be left out: they are at or near the current "
+                                   "limit of 20 A."),
+             qPrintable(rows->text()));
+    f.fit();
+    f.click("fitUse");
+    const double biased = f.motor().resistance;
+    QVERIFY2(std::abs(biased / f.truth.resistance - 1) > 0.2, qPrintable(QString::number(biased)));
+    f.model.undoStack()->undo();
+    auto* box = f.dialog->findChild<QCheckBox*>("limited.leaveOut");
+    QVERIFY(box != nullptr);
+    box->setFocus();
+    QTest::keyClick(box, Qt::Key_Space);
+    QTRY_VERIFY2(rows->text().contains("of 17 rows are left out"), qPrintable(rows->text()));
+    f.fit();
+    f.click("fitUse");
+    QVERIFY2(std::abs(f.motor().resistance / f.truth.resistance - 1) < 0.05,
+             qPrintable(QString::number(f.motor().resistance)));
+    // A limit of one's own: above all currents nothing is left out.
+    auto* limit = f.dialog->findChild<QLineEdit*>("limited.currentLimit");
+    QVERIFY(limit != nullptr);
+    limit->setFocus();
+    limit->selectAll();
+    QTest::keyClicks(limit, "60");
+    QTest::keyClick(limit, Qt::Key_Return);
+    QTRY_COMPARE(rows->text(), QString("0 of 17 rows are left out: they are at or near the current "
+                                       "limit of 60 A."));
   }
 
   void closesWhileItFits() {

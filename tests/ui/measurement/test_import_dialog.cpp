@@ -1,19 +1,10 @@
 // The import as a person does it: a file is named, columns are chosen, sentences are read, a measured run appears.
-#include <QComboBox>
-#include <QDialogButtonBox>
-#include <QFile>
-#include <QLineEdit>
-#include <QPlainTextEdit>
-#include <QPushButton>
-#include <QSettings>
 #include <QSignalSpy>
 #include <QSpinBox>
-#include <QTemporaryDir>
-#include <QtTest>
+#include <cmath>
 #include <filesystem>
 
-#include "ui/measurement/import_dialog.h"
-#include "ui/measurement/mapping_table.h"
+#include "tests/ui/measurement/import_fixture.h"
 
 using namespace rotorbench;
 
@@ -21,47 +12,11 @@ namespace {
 
 const QString kLog = QStringLiteral(TEST_DATA_DIR "/measurement/strawson_a1_11.csv");
 
-/// A dialog that a file was typed into.
-struct Opened {
-  RunList runs;
-  QPointer<ImportDialog> dialog = new ImportDialog(runs);
-
-  explicit Opened(const QString& file) {
-    dialog->show();
-    dialog->activateWindow();
-    if (!QTest::qWaitForWindowActive(dialog)) qFatal("no active window");
-    auto* edit = child<QLineEdit>("importFile");
-    edit->setFocus();
-    QTest::keyClicks(edit, file);
-    QTest::keyClick(edit, Qt::Key_Return);
-  }
-  ~Opened() { delete dialog; }
-
-  template <class W>
-  [[nodiscard]] W* child(const char* name) const {
-    return dialog->findChild<W*>(name);
-  }
-  [[nodiscard]] QString report() const {
-    return child<QPlainTextEdit>("importReport")->toPlainText();
-  }
-  [[nodiscard]] QPushButton* ok() const {
-    return dialog->findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok);
-  }
-  void choose(const char* box, const QString& text) const {
-    auto* combo = child<QComboBox>(box);
-    QVERIFY2(combo != nullptr, box);
-    const int index = combo->findText(text);
-    QVERIFY2(index >= 0, qPrintable(text));
-    combo->setCurrentIndex(index);
-  }
-};
-
 }  // namespace
 
 class TestImportDialog : public QObject {
   Q_OBJECT
  private slots:
-  void initTestCase();
   void importsALog();
   void remembersTheMapping();
   void brokenFiles_data();
@@ -71,22 +26,8 @@ class TestImportDialog : public QObject {
   void gigabyteLongLine();
 
  private:
-  QString write(const QString& name, const QByteArray& text) const;
-  QTemporaryDir folder_;
+  const ImportFolder folder_;
 };
-
-void TestImportDialog::initTestCase() {
-  QSettings::setDefaultFormat(QSettings::IniFormat);
-  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder_.path());
-  QApplication::setOrganizationName("Rotorbench");
-  QApplication::setApplicationName("Rotorbench");
-}
-
-QString TestImportDialog::write(const QString& name, const QByteArray& text) const {
-  QFile file(folder_.filePath(name));
-  if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("cannot write");
-  return file.fileName();
-}
 
 void TestImportDialog::importsALog() {
   Opened opened(kLog);
@@ -109,14 +50,14 @@ void TestImportDialog::importsALog() {
 }
 
 void TestImportDialog::remembersTheMapping() {
-  const QString file = write("again.csv", "time [s],a [N]\n0,1\n1,2\n");
+  const QString file = folder_.write("again.csv", "time [s],a [N]\n0,1\n1,2\n");
   {
     Opened first(file);
     first.choose("quantity1", "Thrust");
     QTRY_VERIFY(first.report().startsWith("2 row(s) of time, thrust"));
     QTest::mouseClick(first.ok(), Qt::LeftButton);
   }
-  Opened second(write("other.csv", "time [s],a [N]\n0,5\n"));
+  Opened second(folder_.write("other.csv", "time [s],a [N]\n0,5\n"));
   QVERIFY2(second.report().startsWith("1 row(s) of time, thrust"), qPrintable(second.report()));
 }
 
@@ -126,7 +67,16 @@ void TestImportDialog::brokenFiles_data() {
   QTest::addColumn<bool>("usable");
   QTest::addRow("empty") << QByteArray() << "The file is empty." << false;
   QTest::addRow("zero bytes") << QByteArray("a,b\n\0\n", 6) << "zero bytes" << false;
-  QTest::addRow("compressed") << QByteArray("\x1F\x8B\x08") << "compressed" << false;
+  QTest::addRow("cut off gzip") << QByteArray("\x1F\x8B\x08") << "is cut off" << false;
+  QTest::addRow("damaged gzip") << QByteArray("\x1F\x8B\x08\xFF-----------") << "is damaged"
+                                << false;
+  QTest::addRow("spreadsheet") << QByteArray("PK\x03\x04") << "compressed" << false;
+  QTest::addRow("propeller table without a speed")
+      << QByteArray("8x6\nPROP RPM =\n V J Ct Cp\n 0 0 0.1 0.05\n")
+      << "Line 2: the block of the propeller table has no speed" << false;
+  QTest::addRow("time of another order")
+      << QByteArray("time,thrust [N]\n03/01/2024 12:00:00,1\n")
+      << "times are read as 2024-03-01T12:00:00.25 or 12:00:00.25" << false;
   QTest::addRow("no known columns") << QByteArray("a,b\n1,2\n") << "No column is chosen." << false;
   QTest::addRow("only names") << QByteArray("time,thrust\n") << "no rows below the names" << false;
   QTest::addRow("text in numbers") << QByteArray("time [s],thrust [N]\n0,1\n1,two\n2,3\n")
@@ -141,13 +91,13 @@ void TestImportDialog::brokenFiles() {
   QFETCH(QByteArray, text);
   QFETCH(QString, sentence);
   QFETCH(bool, usable);
-  const Opened opened(write("broken.csv", text));
+  const Opened opened(folder_.write("broken.csv", text));
   QVERIFY2(opened.report().contains(sentence, Qt::CaseInsensitive), qPrintable(opened.report()));
   QCOMPARE(opened.ok()->isEnabled(), usable);
 }
 
 void TestImportDialog::layoutIsCorrected() {
-  const QString file = write("comma.csv", "time [s];thrust [N]\n0;1,5\n1;2,5\n");
+  const QString file = folder_.write("comma.csv", "time [s];thrust [N]\n0;1,5\n1;2,5\n");
   const Opened opened(file);
   QCOMPARE(opened.child<QComboBox>("importSeparator")->currentText(), QString("Semicolon"));
   QCOMPARE(opened.child<QComboBox>("importDecimalMark")->currentText(), QString("Comma"));
@@ -164,7 +114,7 @@ void TestImportDialog::layoutIsCorrected() {
 }
 
 void TestImportDialog::quantityAndUnitAreChosen() {
-  Opened opened(write("units.csv", "throttle,load\n20,100\n80,400\n"));
+  Opened opened(folder_.write("units.csv", "throttle,load\n20,100\n80,400\n"));
   QCOMPARE(opened.child<QComboBox>("importGroup")->currentText(),
            QString("Steady points over the throttle"));
   opened.choose("quantity1", "Thrust");
@@ -182,12 +132,12 @@ void TestImportDialog::quantityAndUnitAreChosen() {
 
 /// A line of a gigabyte is refused at once, and the dialog goes on with the next file.
 void TestImportDialog::gigabyteLongLine() {
-  const QString huge = write("huge.csv", "time [s],thrust [N]\n0,1\n");
+  const QString huge = folder_.write("huge.csv", "time [s],thrust [N]\n0,1\n");
   std::filesystem::resize_file(huge.toStdString(), std::uintmax_t{1} << 30);
   Opened opened(huge);
   QVERIFY2(opened.report().contains("64 MiB"), qPrintable(opened.report()));
   QVERIFY(!opened.ok()->isEnabled());
-  opened.dialog->openFile(write("small.csv", "time [s],thrust [N]\n0,1\n1,2\n"));
+  opened.dialog->openFile(folder_.write("small.csv", "time [s],thrust [N]\n0,1\n1,2\n"));
   QTRY_VERIFY2(opened.ok()->isEnabled(), qPrintable(opened.report()));
 }
 

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace rotorbench::validation {
+namespace rotorbench {
 
 /// {work(0), ..., work(count - 1)}; `work` is called from several threads at once. Throws what the first failed call
 /// threw. The result type needs a default constructor.
@@ -37,4 +37,4 @@ auto inParallel(std::size_t count, const Work& work) {
   return results;
 }
 
-}  // namespace rotorbench::validation
+}  // namespace rotorbench
