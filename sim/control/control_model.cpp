@@ -32,6 +32,7 @@ ControlModel<N> controlModel(const MultirotorConstants<N>& c) {
     m.torqueFactor[i] = density * hub.rotor.torque;
     m.rotorInertia[i] = hub.rotor.inertia;
     m.motors[i] = hub.drive();
+    m.escs[i] = hub.esc;
     const double top = topSpeed(m.motors[i], m.torqueFactor[i], c.openCircuit);
     m.maxThrust[i] = m.thrustFactor[i] * top * top;
     const Eigen::Vector3d moment =

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <array>
 
+#include "sim/propulsion/esc.h"
 #include "sim/propulsion/motor.h"
 #include "sim/vehicle/multirotor.h"
 
@@ -21,6 +22,7 @@ struct ControlModel {
   std::array<double, N> maxThrust;       ///< N, what motor and supply can hold at rest
   std::array<double, N> rotorInertia;    ///< kg m^2
   std::array<MotorConstants, N> motors;  ///< with the resistance of their speed controllers
+  std::array<EscConstants, N> escs;      ///< how these may slow their motors
 };
 
 /// From a plant built `asPlanned`, at the air density of sea level.

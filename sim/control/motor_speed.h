@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
+#include <vector>
 
 #include "sim/control/pid.h"
+#include "sim/propulsion/esc.h"
 #include "sim/propulsion/motor.h"
 
 namespace rotorbench {
@@ -26,18 +29,22 @@ struct MotorSpeedParameters {
 
 class MotorSpeedController {
  public:
-  /// `limited` false: no limit of voltage, current or demand, as if the drive could do anything.
+  /// `motor` with the resistance of its speed controller `esc`, which says how the motor may be slowed. `limited`
+  /// false: no limit of voltage, current or demand, as if the drive could do anything.
   MotorSpeedController(const MotorSpeedParameters& parameters, const MotorConstants& motor,
-                       double rotorInertia, double torqueFactor, bool limited = true)
+                       const EscConstants& esc, double rotorInertia, double torqueFactor,
+                       bool limited = true)
       : pid_(limited ? parameters.pid : withoutLimit(parameters.pid), 1 / parameters.rate),
         motor_(motor),
+        esc_(esc),
         torqueFactor_(torqueFactor),
         voltsPerAcceleration_(rotorInertia * motor.resistance / motor.torqueConstant),
         feedForward_(parameters.feedForward),
         limited_(limited) {}
 
   /// Terminal voltage in V for a set-point and measured speed in rad/s and the measured bus voltage in V.
-  /// Within 0..bus and, as far as these allow, the band around K_b w that keeps the current within its limit.
+  /// Within 0..bus, or -bus..bus where the speed controller is reversible, and, as far as these allow, the band around
+  /// K_b w that keeps the current within its limit; not below K_b w where it does not brake.
   double update(double setPoint, double speed, double bus) {
     const double acceleration = pid_.propose(setPoint, speed);
     double wanted = voltsPerAcceleration_ * acceleration;
@@ -46,8 +53,9 @@ class MotorSpeedController {
           setPoint, motor_.steadyCurrent(setPoint, torqueFactor_ * setPoint * setPoint));
     }
     const double back = motor_.torqueConstant * speed, band = motor_.resistance * motor_.maxCurrent;
-    const double high = std::clamp(back + band, 0.0, bus);
-    const double low = std::clamp(back - band, 0.0, high);
+    const double least = esc_.least * bus;
+    const double high = std::clamp(back + band, least, bus);
+    const double low = std::clamp(esc_.activeBraking ? back - band : back, least, high);
     const double voltage = limited_ ? std::clamp(wanted, low, high) : wanted;
     pid_.accept(acceleration + (voltage - wanted) / voltsPerAcceleration_);
     return voltage;
@@ -65,9 +73,15 @@ class MotorSpeedController {
 
   Pid pid_;
   MotorConstants motor_;
+  EscConstants esc_;
   double torqueFactor_, voltsPerAcceleration_;
   bool feedForward_, limited_;
 };
+
+/// Warns of delays of a speed controller, described at `path`, that are long beside the period of a controller with
+/// `rate` in Hz.
+void warnOfDelays(const EscParameters& esc, const std::string& path, double rate,
+                  std::vector<Problem>& problems);
 
 template <>
 struct Describe<MotorSpeedParameters> {

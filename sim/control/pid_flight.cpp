@@ -31,7 +31,8 @@ PidFlightController<N>::PidFlightController(const PidFlightParameters& p,
       flightTicks_(ticksBetween(p.rate, tick, "controller.rate")),
       motorTicks_(ticksBetween(p.motors.rate, tick, "controller.motors.rate")) {
   for (std::size_t i = 0; i < N; ++i) {
-    motors_.emplace_back(p.motors, model.motors[i], model.rotorInertia[i], model.torqueFactor[i]);
+    motors_.emplace_back(p.motors, model.motors[i], model.escs[i], model.rotorInertia[i],
+                         model.torqueFactor[i]);
   }
 }
 

@@ -78,7 +78,7 @@ class PidFlightController {
   PidFlightController(const PidFlightParameters& parameters, const ControlModel<N>& model,
                       double tick);
 
-  /// Motor duties 0..1 for this tick. Loops slower than the tick keep their last outputs.
+  /// Motor duties for this tick, -1..1 where a speed controller is reversible, else 0..1. Loops slower than the tick keep their last outputs.
   const Duties& update(const Measurement<N>& measured, const FlightSetPoint& setPoint);
 
   [[nodiscard]] const Duties& rotorSpeedSetPoints() const { return speeds_; }

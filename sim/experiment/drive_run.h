@@ -13,9 +13,9 @@
 
 #include "sim/core/metrics.h"
 #include "sim/core/recording.h"
+#include "sim/experiment/delayed_commands.h"
 #include "sim/experiment/drive_stand.h"
 #include "sim/ode/solver.h"
-#include "sim/propulsion/command_delay.h"
 
 namespace rotorbench {
 
@@ -43,7 +43,7 @@ class DriveRun {
         commander_(std::move(commander)),
         solver_(run.solver, train_),
         y_(train_.initialState()),
-        delay_(deadTime, run.tick),
+        commands_({deadTime}, run.tick),
         duration_(run.duration),
         tick_(run.tick),
         every_(ticksPerRow),
@@ -92,22 +92,23 @@ class DriveRun {
   [[nodiscard]] Commander& commander() { return commander_; }
 
  private:
-  /// Part of a tick below which two instants are one: rounding.
-  static constexpr double kSameInstant = 1e-6;
+  using Throttle = DelayedCommands<1>::Command;
 
   bool advanceTo(double end) {
-    while (delay_.next() < end - kSameInstant * tick_) {
-      if (solver_.advanceTo(delay_.next(), y_) == ode::Status::Failed) return false;
-      act(delay_.take());
-    }
-    return solver_.advanceTo(end, y_) != ode::Status::Failed;
+    const auto act = [this](double time) {
+      Throttle acting(train_.throttle());
+      commands_.take(time, acting);
+      set(acting[0]);
+    };
+    return advanceWithCommands(solver_, y_, commands_, end, tick_, act) != ode::Status::Failed;
   }
   void command(double time) {
     asked_ = train_.allowedThrottle(commander_.throttle(time, train_, y_));
-    delay_.give(time, asked_);
-    while (delay_.next() <= time + kSameInstant * tick_) act(delay_.take());
+    Throttle acting(train_.throttle());
+    commands_.give(time, Throttle(asked_), acting);
+    set(acting[0]);
   }
-  void act(double throttle) {
+  void set(double throttle) {
     if (throttle == train_.throttle()) return;
     train_.setThrottle(throttle, y_);
     solver_.restart();
@@ -122,7 +123,7 @@ class DriveRun {
   Commander commander_;
   ode::Solver<DriveTrain> solver_;
   DriveTrain::State y_;
-  CommandDelay delay_;
+  DelayedCommands<1> commands_;
   double duration_, tick_, asked_ = 0;
   std::int64_t every_, ticks_, done_ = 0;
   std::size_t own_ = 0;

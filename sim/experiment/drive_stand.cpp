@@ -63,7 +63,6 @@ DriveTrain buildUnlimitedDriveTrain(const DriveStand& stand) {
   DriveTrainSetup setup = setupOf(stand, kSpeedPoints);
   const Supply supply(stand.supply);
   setup.supply = SupplyParameters{.voltage = supply.openCircuit(supply.charge)};
-  setup.esc.activeBraking = true;
   setup.unlimited = true;
   return DriveTrain(setup);
 }
@@ -121,8 +120,10 @@ void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solv
   const DriveTrain train(setupOf(stand, kFewSpeedPoints));
   const double top = train.steadySpeed(train.supply().openCircuit(1.0));
   const double pole = std::max(train.fastestPole(0), train.fastestPole(top));
-  addUnstableStep({"run.solver.step", "the motor's fastest pole", "quasi-static current"}, pole,
-                  solver, tick, problems);
+  const double lag = train.esc().inverseResponse;
+  StepWarning words{"run.solver.step", "the motor's fastest pole", "quasi-static current"};
+  if (lag > pole) words = {"run.solver.step", kLagPole, "no response time"};
+  addUnstableStep(words, std::max(pole, lag), solver, tick, problems);
 }
 
 void Describe<FreeShaft>::fields(schema::Builder<FreeShaft>& b) {

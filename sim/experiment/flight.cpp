@@ -38,27 +38,45 @@ struct FlightBuilder {
   }
 };
 
-/// Warns where a fixed step cannot be stable beside the fastest pole of motors and supply. All motors at full duty feel
-/// the supply's resistance together. The exponential method solves the motors exactly, but not what couples them.
-void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
-  constexpr std::size_t kCount = 4;
-  std::vector<RotorParameters> rotors;
-  if (const auto* equal = std::get_if<EqualRotors>(&flight.vehicle.rotors)) {
-    rotors.assign(kCount, equal->rotor);
-  } else {
-    rotors = std::get<IndividualRotors>(flight.vehicle.rotors).rotors;
+constexpr int kRotors = 4;
+
+/// A rotor of a sound vehicle and where it is described; one stands for all that are alike.
+struct DescribedRotor {
+  std::string path;
+  const RotorParameters& rotor;
+};
+std::vector<DescribedRotor> describedRotors(const VehicleParameters& vehicle) {
+  if (const auto* equal = std::get_if<EqualRotors>(&vehicle.rotors))
+    return {{"vehicle.rotors.rotor", equal->rotor}};
+  std::vector<DescribedRotor> rotors;
+  for (const RotorParameters& rotor : std::get<IndividualRotors>(vehicle.rotors).rotors) {
+    rotors.push_back({"vehicle.rotors.rotors[" + std::to_string(rotors.size()) + "]", rotor});
   }
+  return rotors;
+}
+
+/// Warns where a fixed step cannot be stable beside the fastest pole of motors and supply. All motors at full duty feel
+/// the supply's resistance together. The exponential method solves motors and lags exactly, but not what couples
+/// the motors.
+void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
+  const std::vector<DescribedRotor> rotors = describedRotors(flight.vehicle);
   const Supply supply(flight.vehicle.supply);
   const bool exponential = flight.solver.method == ode::Method::ExponentialRk4;
-  double pole = 0, shared = 0;
-  for (const RotorParameters& rotor : rotors) {
+  double pole = 0, shared = 0, lag = 0;
+  for (const auto& [path, rotor] : rotors) {
     const MotorConstants motor = buildMotor(rotor.motor);
-    const double coupled = static_cast<double>(rotors.size()) * supply.resistance;
+    if (rotor.esc.responseTime > 0) lag = std::max(lag, 1 / rotor.esc.responseTime);
+    const double coupled = kRotors * supply.resistance;
     shared = std::max(shared, coupled * motor.inverseInductance);
     // Friction is steepest at rest.
     const double drag = motor.viscousFriction + motor.dryFriction / kFrictionSpeed;
     pole = std::max(pole, fastestPole(motor, motor.resistance + rotor.esc.resistance + coupled,
                                       drag, rotor.inertia));
+  }
+  if (!exponential && lag > pole) {
+    addUnstableStep({"solver.step", kLagPole, "no response time"}, lag, flight.solver, flight.tick,
+                    problems);
+    return;
   }
   const char* name = exponential ? "the pole of motors and supply resistance together"
                                  : "the fastest pole of motors and supply";
@@ -111,9 +129,12 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
   b.check([](const Flight& f, std::vector<Problem>& problems) {
     if (f.tick > f.duration)
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
-    const bool prescribed = std::holds_alternative<SpeedInputs>(f.control);
-    if (!prescribed && stabilityLimit(f.solver.method) > 0 && isSound(f.vehicle))
-      warnOfUnstableStep(f, problems);
+    if (std::holds_alternative<SpeedInputs>(f.control) || !isSound(f.vehicle)) return;
+    if (const auto* pid = std::get_if<PidControl>(&f.control)) {
+      for (const auto& [path, rotor] : describedRotors(f.vehicle))
+        warnOfDelays(rotor.esc, path + ".esc", pid->controller.motors.rate, problems);
+    }
+    if (stabilityLimit(f.solver.method) > 0) warnOfUnstableStep(f, problems);
   });
 }
 

@@ -1,13 +1,17 @@
 // The hybrid simulation of a flight. Once a tick the pilot (a controller, or inputs laid down in advance) reads the
-// plant and sets its command; the solver then brings the plant exactly to the next tick. The order of a tick at time
+// plant and sets its command; the solver then brings the plant exactly to the next tick, and to each instant between at
+// which a command that had to wait for a dead time begins to act. The order of a tick at time
 // t: derivative and forces, act on them, record, advance to t + h. The derivative is the first stage of the step.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <concepts>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "sim/experiment/delayed_commands.h"
 #include "sim/experiment/flight.h"
 #include "sim/experiment/simulation_base.h"
 #include "sim/ode/solver.h"
@@ -15,17 +19,26 @@
 
 namespace rotorbench {
 
-/// A pilot: channels() declares what it adds to each row, act() sets the command for the tick from t to t + h,
-/// brings derivative and forces up to date with it and tells whether anything jumped, row() writes the channels of the last act(), figures() adds to the metrics.
+/// A pilot: channels() declares what it adds to each row, row() writes them as of its last action, figures() adds to
+/// the metrics. Asked once a tick, a pilot of motors gives their command() for the time from t on; one of prescribed
+/// speeds sets them itself for the tick from t to t + h in act(), brings derivative and forces up to date and tells
+/// whether anything jumped.
 template <class P, class Plant>
-concept FlightPilot = requires(P& p, const P& c, Plant& plant, typename Plant::State& y,
-                               MultirotorForces<Plant::kRotors>& forces, const Recording& recording,
-                               std::vector<Metric>& metrics, double* out) {
+concept FlightPilot = requires(const P& c, const Recording& recording, std::vector<Metric>& metrics,
+                               double* out) {
   { c.channels() } -> std::same_as<std::vector<Channel>>;
-  { p.act(double{}, double{}, plant, y, y, forces) } -> std::same_as<bool>;
   c.row(out);
   c.figures(recording, metrics);
-};
+}
+&&(
+    requires(P& p, const Plant& plant, const typename Plant::State& y,
+             const MultirotorForces<Plant::kRotors>& forces) {
+      { p.command(double{}, plant, y, forces) } -> std::convertible_to<typename Plant::Command>;
+    } ||
+    requires(P & p, Plant& plant, typename Plant::State& y,
+             MultirotorForces<Plant::kRotors>& forces) {
+      { p.act(double{}, double{}, plant, y, y, forces) } -> std::same_as<bool>;
+    });
 
 /// Figures of any flight: peaks, energy and what is left of it, where it ended.
 void addFlightFigures(const Recording& recording, const Supply& supply,
@@ -51,8 +64,11 @@ class FlightSimulation final : public SimulationBase {
         pilot_(std::move(pilot)),
         solver_(flight.solver, plant_),
         y_(plant_.initialState(flight.start)),
+        commands_(deadTimes(plant_.constants()), flight.tick),
         every_(ticksPerRow(outputs, flight.tick)),
         ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
+    // Until the pilot's first command acts, the one that brought the rotors to their speeds does.
+    if constexpr (kMotors) plant_.setCommand(y_.template segment<kRotors>(Layout::kDuty));
     std::vector<Channel> channels{{"time", "s", "Simulated time"}};
     visitMultirotorOutputs<PlantType>(
         y_, forces_,
@@ -90,24 +106,61 @@ class FlightSimulation final : public SimulationBase {
   }
 
  private:
+  using Layout = typename PlantType::Layout;
+  using Command = typename PlantType::Command;
+  static constexpr int kRotors = PlantType::kRotors;
+  static constexpr bool kMotors = PlantType::kDrive == RotorDrive::Motors;
+
+  static std::array<double, kRotors> deadTimes(const MultirotorConstants<kRotors>& constants) {
+    std::array<double, kRotors> times{};
+    for (std::size_t i = 0; kMotors && i < times.size(); ++i) times[i] = constants.hubs[i].deadTime;
+    return times;
+  }
+
   void tick() {
     const double t = solver_.time();
     const double next =
         done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
     if (!prepare(t, next - t)) return;
-    if (solver_.advanceTo(next, y_) == ode::Status::Failed) return fail(solver_.runFailure());
+    const auto act = [this](double time) {
+      Command acting = plant_.command();
+      commands_.take(time, acting);
+      if (set(acting)) solver_.restart();
+    };
+    if (advanceWithCommands(solver_, y_, commands_, next, tickSeconds(), act) ==
+        ode::Status::Failed)
+      return fail(solver_.runFailure());
     if (++done_ < ticks_) return;
     // The last row shows where the flight ended.
     if (prepare(next, tickSeconds())) end(SimulationState::Finished);
   }
 
+  /// The state follows; false if nothing changed.
+  bool set(const Command& acting) {
+    if (acting == plant_.command()) return false;
+    plant_.setCommand(acting, y_);
+    return true;
+  }
+
+  /// The pilot's action at t. True if anything jumped.
+  bool fly(double t, double h) {
+    if constexpr (kMotors) {
+      Command acting = plant_.command();
+      commands_.give(t, plant_.allowed(pilot_.command(t, plant_, y_, forces_)), acting);
+      if (!set(acting)) return false;
+      plant_.updateCommand(y_, derivative_, forces_);
+      return true;
+    } else {
+      return pilot_.act(t, h, plant_, y_, derivative_, forces_);
+    }
+  }
+
   /// Everything of a tick but the integration. False if the recording is full.
   bool prepare(double t, double h) {
     plant_.derivativeAndForces(y_, derivative_, forces_);
-    const bool jumped = pilot_.act(t, h, plant_, y_, derivative_, forces_);
+    const bool jumped = fly(t, h);
     // A winding takes up no current at once: the bus at the start of a tick is the one under load.
-    const bool empty = PlantType::kDrive == RotorDrive::Motors &&
-                       forces_.busVoltage < plant_.constants().supply.cutOff;
+    const bool empty = kMotors && forces_.busVoltage < plant_.constants().supply.cutOff;
     if (jumped) {
       ++startEvaluations_;
       // ABM4 keeps its history over ticks where nothing did.
@@ -132,6 +185,7 @@ class FlightSimulation final : public SimulationBase {
   Pilot pilot_;
   ode::Solver<PlantType> solver_;
   State y_, derivative_;
+  DelayedCommands<kRotors> commands_;
   MultirotorForces<PlantType::kRotors> forces_{};
   std::int64_t every_, ticks_, done_ = 0;
   std::int64_t startEvaluations_ = 0;  ///< derivatives handed to the solver as the start of a step

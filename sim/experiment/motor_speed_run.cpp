@@ -19,8 +19,8 @@ class SpeedCommander {
  public:
   SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train, bool limited)
       : steps_(run.setPoints),
-        controller_(run.controller, motorSeen(run, train), train.inertia(), feedForward(run, train),
-                    limited),
+        controller_(run.controller, motorSeen(train), train.esc(), train.inertia(),
+                    feedForward(run, train), limited),
         limited_(limited),
         every_(ticksBetween(run.controller.rate, run.run.tick, "setup.controller.rate")) {}
 
@@ -64,9 +64,9 @@ class SpeedCommander {
 
  private:
   /// The motor with the resistance of the speed controller in its path and the lower of the two limits.
-  static MotorConstants motorSeen(const MotorSpeedRun& run, const DriveTrain& train) {
+  static MotorConstants motorSeen(const DriveTrain& train) {
     MotorConstants motor = train.motor();
-    motor.resistance += run.stand.esc.resistance;
+    motor.resistance += train.esc().resistance;
     motor.maxCurrent = train.maxCurrent();
     return motor;
   }
@@ -133,14 +133,7 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
         problems.push_back({"setPoints[" + std::to_string(i) + "].time",
                             "is not later than the row before", "times must rise from row to row"});
     }
-    const auto warnOfDelay = [&](double delay, const char* path) {
-      if (delay > 10 / m.controller.rate)
-        problems.push_back(
-            {path, "is longer than ten updates of the controller, which does not know of it",
-             "expect overshoot, or shorten it", true});
-    };
-    warnOfDelay(m.stand.esc.responseTime, "stand.esc.responseTime");
-    warnOfDelay(m.stand.esc.deadTime, "stand.esc.deadTime");
+    warnOfDelays(m.stand.esc, "stand.esc", m.controller.rate, problems);
     warnOfUnstableStep(m.stand, m.run.solver, m.run.tick, problems);
   });
 }

@@ -23,13 +23,11 @@ class PidPilot {
 
   [[nodiscard]] std::vector<Channel> channels() const;
 
-  bool act(double t, double /*h*/, Plant& plant, Plant::State& y, Plant::State& derivative,
-           MultirotorForces<kRotors>& forces) {
+  Plant::Command command(double t, const Plant& /*plant*/, const Plant::State& y,
+                         const MultirotorForces<kRotors>& forces) {
     const Eigen::Vector4d wanted = signal_.at(t);
     setPoint_ = {wanted[0], wanted[1], wanted[2], wanted[3]};
-    plant.setCommand(controller_.update(sensors_.measure<kRotors>(y, forces), setPoint_));
-    plant.updateCommand(y, derivative, forces);
-    return true;
+    return controller_.update(sensors_.measure<kRotors>(y, forces), setPoint_);
   }
 
   void row(double* out) const {

@@ -19,14 +19,19 @@ enum class Interpolation { Hold, Linear };
 struct RotorSpeedQuantity {
   static constexpr const char *kKey = "rotor-speeds", *kLabel = "Prescribed rotor speeds",
                               *kValues = "speeds", *kValuesLabel = "Rotor speeds", *kSymbol = "Ω",
-                              *kUnit = "rad/s", *kShownIn = "rpm";
+                              *kUnit = "rad/s", *kShownIn = "rpm",
+                              *kHelp = "No controller: the values are laid down in advance.";
   static constexpr double kDefault = 500, kLow = -10000, kHigh = 10000;
 };
 struct MotorVoltageQuantity {
   static constexpr const char *kKey = "motor-voltages", *kLabel = "Prescribed motor voltages",
                               *kValues = "voltages", *kValuesLabel = "Motor voltages",
-                              *kSymbol = "v", *kUnit = "V", *kShownIn = "V";
-  static constexpr double kDefault = 5, kLow = 0, kHigh = 1000;
+                              *kSymbol = "v", *kUnit = "V", *kShownIn = "V",
+                              *kHelp =
+                                  "No controller: the values are laid down in advance. A negative "
+                                  "voltage drives a motor backwards where its speed controller is "
+                                  "reversible and counts as 0 elsewhere.";
+  static constexpr double kDefault = 5, kLow = -1000, kHigh = 1000;
 };
 
 template <class Quantity>
@@ -166,7 +171,7 @@ struct Describe<CsvInputs<Q>> {
 template <class Q>
 struct Describe<PrescribedInputs<Q>> {
   static void fields(schema::Builder<PrescribedInputs<Q>>& b) {
-    b.title(Q::kKey, Q::kLabel, "No controller: the values are laid down in advance.");
+    b.title(Q::kKey, Q::kLabel, Q::kHelp);
     b.variant("source", &PrescribedInputs<Q>::source, "Source");
   }
 };

@@ -50,12 +50,9 @@ class VoltagePilot {
   static void row(double* /*out*/) {}
   static void figures(const Recording& /*recording*/, std::vector<Metric>& /*metrics*/) {}
 
-  bool act(double t, double /*h*/, Plant& plant, Plant::State& y, Plant::State& derivative,
-           MultirotorForces<4>& forces) {
-    const Plant::Command before = plant.command();
-    plant.setCommand(signal_.at(t) / plant.openCircuit(y));
-    plant.updateCommand(y, derivative, forces);
-    return plant.command() != before;
+  Plant::Command command(double t, const Plant& plant, const Plant::State& y,
+                         const MultirotorForces<4>& /*forces*/) {
+    return signal_.at(t) / plant.openCircuit(y);
   }
 
  private:

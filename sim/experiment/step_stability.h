@@ -14,6 +14,9 @@ namespace rotorbench {
 /// the limit of RK4 for what it does not solve exactly.
 double stabilityLimit(ode::Method method);
 
+/// The pole 1/T of a speed controller with the response time T, in words.
+inline constexpr const char* kLagPole = "the pole of the speed controller's response time";
+
 /// Words of the warning.
 struct StepWarning {
   std::string path;    ///< of the step

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
+#include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
 
 namespace rotorbench {
@@ -68,7 +70,7 @@ std::string description(const Field& field) {
 class SchemaWriter {
  public:
   ordered_json write(const Type& type, const DocumentFormat& format) {
-    ordered_json root = objectOf(type, {});
+    ordered_json root = objectOf(type, {}, type.make().get());
     ordered_json version{
         {"type", "integer"}, {"minimum", format.oldest}, {"maximum", format.newest}};
     version["description"] = "Version of the file format.";
@@ -84,22 +86,38 @@ class SchemaWriter {
   }
 
  private:
-  /// A reference to the definition of a struct; `typeKey` is set for an alternative of a variant.
-  ordered_json reference(const Type& type, const std::string& typeKey) {
-    const auto [known, added] = names_.try_emplace({&type, typeKey});
+  /// A reference to the definition of a struct; `typeKey` is set for an alternative of a variant. Where a struct is
+  /// part of another one that makes it with values of its own, these are its defaults and it has a definition of its
+  /// own.
+  ordered_json reference(const Type& type, const std::string& typeKey, const void* defaults) {
+    const Definition definition{&type, typeKey, ownDefaults(type, defaults)};
+    const auto [known, added] = names_.try_emplace(definition);
     if (added) {
       std::string name = typeKey.empty() ? (type.key.empty() ? "struct" : type.key) : typeKey;
       const std::string stem = name;
       for (int i = 2; definitions_.contains(name); ++i) name = stem + "-" + std::to_string(i);
       known->second = name;
       definitions_[name] = nullptr;  // taken, in case the struct contains itself
-      ordered_json object = objectOf(type, typeKey);
+      ordered_json object = objectOf(type, typeKey, defaults);
       definitions_[name] = std::move(object);
     }
-    return {{"$ref", "#/$defs/" + names_.at({&type, typeKey})}};
+    return {{"$ref", "#/$defs/" + names_.at(definition)}};
+  }
+  /// A default-made struct: an element of a list, an alternative of a variant.
+  ordered_json reference(const Type& type, const std::string& typeKey) {
+    return reference(type, typeKey, type.make().get());
   }
 
-  ordered_json objectOf(const Type& type, const std::string& typeKey) {
+  /// In what these defaults differ from those of the struct itself, as text.
+  static std::string ownDefaults(const Type& type, const void* defaults) {
+    const std::shared_ptr<void> made = type.make();
+    std::string text;
+    for (const auto& difference : schema::compare({&type, made.get()}, {&type, defaults}))
+      text += difference.path + "=" + difference.right + ";";
+    return text;
+  }
+
+  ordered_json objectOf(const Type& type, const std::string& typeKey, const void* defaults) {
     ordered_json json{{"type", "object"}};
     if (!type.help.empty()) json["description"] = type.help;
     ordered_json properties = ordered_json::object();
@@ -107,11 +125,10 @@ class SchemaWriter {
       properties["type"] = {{"const", typeKey}};
       json["required"] = ordered_json::array({"type"});
     }
-    const std::shared_ptr<void> defaults = type.make();
     for (const Field& field : type.fields) {
-      ordered_json property = propertyOf(field, defaults.get());
+      ordered_json property = propertyOf(field, defaults);
       property["description"] = description(field);
-      if (field.isLeaf()) addDefault(property, field.read(defaults.get()));
+      if (field.isLeaf()) addDefault(property, field.read(defaults));
       properties[field.key] = std::move(property);
     }
     json["properties"] = std::move(properties);
@@ -123,7 +140,7 @@ class SchemaWriter {
     std::visit([&](const auto& v) { property["default"] = v; }, value);
   }
 
-  ordered_json propertyOf(const Field& field, void* owner) {
+  ordered_json propertyOf(const Field& field, const void* owner) {
     switch (field.kind) {
       case Kind::Number:
         return quantity(field);
@@ -147,7 +164,7 @@ class SchemaWriter {
                 {"minItems", field.size},
                 {"maxItems", field.size}};
       case Kind::Group:
-        return reference(field.childType(owner, 0), {});
+        return reference(field.childType(owner, 0), {}, field.child_(owner, 0));
       case Kind::Variant: {
         ordered_json alternatives = ordered_json::array();
         for (std::size_t i = 0; i < field.options.size(); ++i) {
@@ -165,8 +182,11 @@ class SchemaWriter {
     return {};
   }
 
+  /// Struct, key as an alternative, defaults of its own.
+  using Definition = std::tuple<const Type*, std::string, std::string>;
+
   ordered_json definitions_ = ordered_json::object();
-  std::map<std::pair<const Type*, std::string>, std::string> names_;
+  std::map<Definition, std::string> names_;
 };
 
 }  // namespace

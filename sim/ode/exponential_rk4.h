@@ -37,11 +37,11 @@ class ExponentialRk4 {
     return k_[0];
   }
   /// The linear parts changed: the constants are worked out again before the next step.
-  void relinearize() { step_ = 0; }
+  void relinearize() { kept_ = {}; }
 
   void step(System& f, double t, double h, const State& y, State& out) {
     // Constants for a step that differs by rounding only serve as well.
-    if (!(std::abs(h - step_) <= 1e-9 * h)) setStep(f, h);
+    if (!holds(kept_[current_], h)) setStep(f, h);
     start(f, t, y);
     std::array<Rest, 4> n;
     rests(y, k_[0], n[0]);
@@ -109,28 +109,48 @@ class ExponentialRk4 {
   }
   template <class Function>
   void forPairs(Function&& function) const {
-    for (int i = 0; i < kPairs; ++i) {
+    for (int i = 0; i < pairs_; ++i) {
       const auto [a, b] = System::pair(i);
-      function(Place{static_cast<std::size_t>(i), a, b}, constants_[static_cast<std::size_t>(i)]);
+      const auto p = static_cast<std::size_t>(i);
+      function(Place{p, a, b}, kept_[current_].pairs[p]);
     }
   }
   void rests(const State& y, const State& dydt, Rest& n) const {
     forPairs(
         [&](Place p, const PairConstants&) { n[p.i] = get(p, dydt) - linear_[p.i] * get(p, y); });
   }
+  /// The constants of one length of step; working them out takes far longer than a step.
+  struct Constants {
+    double step = 0;  ///< s; 0: none yet
+    std::array<PairConstants, kPairs> pairs{};
+  };
+  /// Where a tick is divided, at instants that lie alike in every tick, a few lengths of step return again and again.
+  static constexpr std::size_t kKept = 8;
+
+  static bool holds(const Constants& constants, double h) {
+    return std::abs(h - constants.step) <= 1e-9 * h;
+  }
   [[gnu::noinline]] void setStep(const System& f, double h) {
-    step_ = h;
+    for (current_ = 0; current_ < kKept; ++current_)
+      if (holds(kept_[current_], h)) return;
+    current_ = oldest_;
+    oldest_ = (oldest_ + 1) % kKept;
+    kept_[current_].step = h;
+    pairs_ = 0;
     for (int i = 0; i < kPairs; ++i) {
       const auto p = static_cast<std::size_t>(i);
       linear_[p] = f.linear(i);
-      constants_[p] = pairConstants(linear_[p], h);
+      if (!linear_[p].isZero(0)) pairs_ = i + 1;
+      kept_[current_].pairs[p] = pairConstants(linear_[p], h);
     }
   }
 
   std::array<State, 4> k_{};
   std::array<Eigen::Matrix2d, kPairs> linear_{};
-  std::array<PairConstants, kPairs> constants_{};
-  double step_ = 0;  ///< s; step the constants hold for
+  std::array<Constants, kKept> kept_{};
+  std::size_t current_ = 0, oldest_ = 0;
+  int pairs_ =
+      kPairs;  ///< the first so many; of those behind every A is 0, and RK4 serves them as well
   bool startKnown_ = false;
   std::int64_t evaluations_ = 0;
 };

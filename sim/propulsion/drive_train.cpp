@@ -38,17 +38,14 @@ DriveTrain::DriveTrain(const DriveTrainSetup& setup)
     : supply_(setup.supply),
       motor_(buildMotor(setup.motor)),
       load_(setup.load),
+      esc_(buildEsc(setup.esc, motor_)),
       inverseInertia_(1 / setup.inertia),
-      escResistance_(setup.esc.resistance),
-      inverseResponse_(setup.esc.responseTime > 0 ? 1 / setup.esc.responseTime : 0),
-      maxCurrent_(setup.unlimited ? kInfinity
-                                  : std::min(setup.esc.maxCurrent, setup.motor.maxCurrent)),
-      leastThrottle_(setup.unlimited     ? -kInfinity
-                     : setup.esc.reverse ? -1
-                                         : 0),
-      mostThrottle_(setup.unlimited ? kInfinity : 1),
-      activeBraking_(setup.esc.activeBraking),
-      quasiStatic_(setup.quasiStaticCurrent) {}
+      quasiStatic_(setup.quasiStaticCurrent) {
+  if (!setup.unlimited) return;
+  esc_.least = -kInfinity;
+  esc_.most = esc_.maxCurrent = kInfinity;
+  esc_.activeBraking = true;
+}
 
 DriveTrain::State DriveTrain::initialState() const {
   State y = State::Zero();
@@ -56,13 +53,10 @@ DriveTrain::State DriveTrain::initialState() const {
   return y;
 }
 
-double DriveTrain::allowedThrottle(double throttle) const {
-  return std::clamp(throttle, leastThrottle_, mostThrottle_);
-}
-
 void DriveTrain::setThrottle(double throttle, State& y) {
   throttle_ = allowedThrottle(throttle);
-  if (inverseResponse_ == 0) y[kDuty] = throttle_;
+  y[kDuty] = esc_.duty(throttle_, double{y[kDuty]});
+  esc_.settle(y[kDuty], y[kCurrent]);
 }
 
 std::string_view DriveTrain::componentName(int index) {
@@ -80,7 +74,7 @@ DrivePowers DriveTrain::powers(const State& y) const {
   p.source = at.openCircuit * at.busCurrent;
   p.supplyLoss =
       supply_.resistance * at.busCurrent * at.busCurrent + y[kPolarisation] * at.busCurrent;
-  p.escLoss = escResistance_ * i * i;
+  p.escLoss = esc_.resistance * i * i;
   p.copperLoss = motor_.resistance * i * i;
   p.frictionLoss = motor_.friction(w) * w;
   p.load = load_.torque(w) * w;
@@ -94,7 +88,7 @@ double DriveTrain::fastestPole(double w) const {
   const double drag = (motor_.friction(w + h) + load_.torque(w + h) - motor_.friction(w - h) -
                        load_.torque(w - h)) /
                       (2 * h);
-  const double r = motor_.resistance + escResistance_, k = motor_.torqueConstant;
+  const double r = motor_.resistance + esc_.resistance, k = motor_.torqueConstant;
   if (quasiStatic_) return (drag + k * k / r) * inverseInertia_;
   return rotorbench::fastestPole(motor_, r, drag, 1 / inverseInertia_);
 }
@@ -108,10 +102,10 @@ DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
   const double sign = y[kDuty] < 0 ? -1 : 1;
   const double inner = supply_.openCircuit(charge) - polarisation;
   const double resistance =
-      motor_.resistance + escResistance_ + y[kDuty] * y[kDuty] * supply_.resistance;
+      motor_.resistance + esc_.resistance + y[kDuty] * y[kDuty] * supply_.resistance;
   const auto current = [&](double w) {
     const double i = (std::abs(y[kDuty]) * inner - motor_.torqueConstant * w) / resistance;
-    return std::min(i, maxCurrent_);
+    return std::min(i, esc_.maxCurrent);
   };
   const double free = std::abs(y[kDuty]) * inner / motor_.torqueConstant;
   if (!(free > 0)) return y;

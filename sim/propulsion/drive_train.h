@@ -1,7 +1,7 @@
 // One motor on a stand: supply -> speed controller -> motor -> load, coupled as they are in a vehicle. SI units; speed
 // positive in the rotor's own sense.
 //   bus       V = OCV(z) - v_rc - R_0 i_bus,   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus - v_rc)/tau_1
-//   converter v = d V - R_esc i,   V i_bus = v i + R_esc i^2,   |v - K w| <= R i_max
+//   converter see esc.h
 //   motor     L di/dt = v - R i - K w,   J dw/dt = K i - friction(w) - load(w)        thesis 2014, figure 3.11
 // With quasi-static current L is taken as 0: i follows v and w at once, which is exact in the steady state and late by
 // L/R otherwise.
@@ -109,12 +109,11 @@ class DriveTrain {
   void setThrottle(double throttle, State& y);
   [[nodiscard]] double throttle() const { return throttle_; }
   /// What of a throttle the speed controller takes.
-  [[nodiscard]] double allowedThrottle(double throttle) const;
+  [[nodiscard]] double allowedThrottle(double throttle) const { return esc_.allowed(throttle); }
 
   template <class S>
   [[nodiscard]] DriveInstant<S> instant(const StateOf<S>& y) const {
     using std::max;
-    using std::min;
     using std::sqrt;
     DriveInstant<S> at;
     const S w = y[kSpeed];
@@ -122,23 +121,19 @@ class DriveTrain {
     at.duty = y[kDuty];
     at.openCircuit = supply_.openCircuit(S(y[kCharge]));
     const S inner = S(at.openCircuit - y[kPolarisation]);
-    const S sag = S(at.duty * at.duty * supply_.resistance);
-    at.current = quasiStatic_
-                     ? S((at.duty * inner - back) / (motor_.resistance + escResistance_ + sag))
-                     : y[kCurrent];
     if (quasiStatic_) {
-      at.current = min(max(at.current, S(-maxCurrent_)), S(maxCurrent_));
-      if (!activeBraking_) at.current = max(at.current, S(0));
+      const S sag = S(at.duty * at.duty * supply_.resistance);
+      const S free = S((at.duty * inner - back) / (motor_.resistance + esc_.resistance + sag));
+      at.current = esc_.quasiStaticCurrent(motor_, at.duty, free, back);
+      at.motorVoltage = S(motor_.resistance * at.current + back);
+    } else {
+      at.current = y[kCurrent];
+      const S free = S(at.duty * (inner - supply_.resistance * at.duty * at.current) -
+                       esc_.resistance * at.current);
+      at.motorVoltage = esc_.voltage(motor_, at.duty, at.current, free, back);
     }
-    const S free = S(at.duty * (inner - supply_.resistance * at.duty * at.current) -
-                     escResistance_ * at.current);
-    const S band = S(motor_.resistance * maxCurrent_);
-    at.motorVoltage = quasiStatic_ ? S(motor_.resistance * at.current + back)
-                                   : S(min(S(max(free, S(back - band))), S(back + band)));
-    // Without braking no current flows back: the terminals float at the back-EMF.
-    if (!activeBraking_ && !(at.current > 0)) at.motorVoltage = max(at.motorVoltage, back);
     // The converter keeps the power; the bus voltage follows from the one that is drawn.
-    const S power = S((at.motorVoltage + escResistance_ * at.current) * at.current);
+    const S power = S((at.motorVoltage + esc_.resistance * at.current) * at.current);
     const S root = S(inner * inner - 4.0 * supply_.resistance * power);
     at.busVoltage = S(0.5 * (inner + sqrt(max(root, S(0)))));
     at.busCurrent = S(power / at.busVoltage);
@@ -152,16 +147,13 @@ class DriveTrain {
     dydt[kCurrent] = quasiStatic_ ? S(0) : motor_.currentRate(at.motorVoltage, at.current, w);
     dydt[kSpeed] = (motor_.torqueConstant * at.current - motor_.friction(w) - load_.torque(w)) *
                    inverseInertia_;
-    dydt[kDuty] = (throttle_ - y[kDuty]) * inverseResponse_;
+    dydt[kDuty] = esc_.rate(S(throttle_), S(y[kDuty]));
     dydt[kCharge] = -at.busCurrent * supply_.inverseCapacity;
     dydt[kPolarisation] =
         (supply_.polarisation * at.busCurrent - y[kPolarisation]) * supply_.inversePolarisationTime;
   }
   void operator()(double /*t*/, const State& y, State& dydt) const { derivative(y, dydt); }
-  /// Without braking the current ends at zero; a step that went through it is brought back.
-  void afterStep(State& y) const {
-    if (!activeBraking_ && y[kCurrent] < 0) y[kCurrent] = 0;
-  }
+  void afterStep(State& y) const { esc_.settle(y[kDuty], y[kCurrent]); }
   static std::string_view componentName(int index);
 
   [[nodiscard]] DrivePowers powers(const State& y) const;
@@ -174,20 +166,21 @@ class DriveTrain {
   /// The steady state with the throttle given, at a state of charge and a polarised voltage.
   [[nodiscard]] State steadyState(double throttle, double charge, double polarisation) const;
 
+  [[nodiscard]] const EscConstants& esc() const { return esc_; }
   [[nodiscard]] const MotorConstants& motor() const { return motor_; }
   [[nodiscard]] const ShaftLoad& load() const { return load_; }
   [[nodiscard]] const Supply& supply() const { return supply_; }
   [[nodiscard]] double inertia() const { return 1 / inverseInertia_; }
   /// The lower limit of motor and speed controller, A.
-  [[nodiscard]] double maxCurrent() const { return maxCurrent_; }
+  [[nodiscard]] double maxCurrent() const { return esc_.maxCurrent; }
 
  private:
   Supply supply_;
   MotorConstants motor_;
   ShaftLoad load_;
-  double inverseInertia_, escResistance_, inverseResponse_, maxCurrent_;
-  double leastThrottle_, mostThrottle_;
-  bool activeBraking_, quasiStatic_;
+  EscConstants esc_;
+  double inverseInertia_;
+  bool quasiStatic_;
   double throttle_ = 0;
 };
 

@@ -36,24 +36,6 @@ RotorConstants buildRotor(const RotorParameters& parameters) {
   return c;
 }
 
-void Describe<RotorEsc>::fields(schema::Builder<RotorEsc>& b) {
-  using P = RotorEsc;
-  using namespace schema;
-  b.title("rotor-esc", "Speed controller (ESC)",
-          "An averaged converter: v = duty V - R i at the motor, the voltage kept in the band of "
-          "R i_max around the back-EMF.",
-          "R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3");
-  b.number("resistance", &P::resistance, "Resistance", "R_esc", "Ohm")
-      .range(atLeast(0), upTo(10))
-      .shownIn("mOhm")
-      .help("Of the switches that carry the motor's current; 0 where the motor's holds it.")
-      .source("0: the E305's published resistance holds winding and speed controller");
-  b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
-      .range(above(0), upTo(1e5))
-      .help("The lower one of this and the motor's holds.")
-      .source("The continuous rating of a 30 A controller");
-}
-
 void Describe<RotorParameters>::fields(schema::Builder<RotorParameters>& b) {
   using P = RotorParameters;
   b.title("rotor", "Rotor", "A propeller and the motor that turns it.");

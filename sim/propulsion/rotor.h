@@ -4,18 +4,11 @@
 #include <memory>
 
 #include "sim/core/schema.h"
+#include "sim/propulsion/esc.h"
 #include "sim/propulsion/motor.h"
 #include "sim/propulsion/rotor_models.h"
 
 namespace rotorbench {
-
-/// The speed controller of a motor in flight: the converter of esc.h without its response time, which is short beside
-/// the rotor's own, one way only and with active braking.
-struct RotorEsc {
-  double resistance = 0;   ///< Ohm, of the switches in the motor's path
-  double maxCurrent = 30;  ///< A, kept by limiting the voltage
-  bool operator==(const RotorEsc&) const = default;
-};
 
 /// One rotor with its motor.
 struct RotorParameters {
@@ -24,7 +17,8 @@ struct RotorParameters {
   double mass = 0.055;       ///< kg of motor and propeller, a point at the hub
   int blades = 2;
   MotorParameters motor;
-  RotorEsc esc;
+  /// Of a new vehicle: its losses are in the motor's resistance, and it has no lag of its own.
+  EscParameters esc{.resistance = 0, .responseTime = 0};
   bool operator==(const RotorParameters&) const = default;
 };
 
@@ -46,10 +40,6 @@ struct RotorConstants : RotorModel<double> {
 /// Prepares the model: a map takes the time to be built, unless it was before.
 RotorConstants buildRotor(const RotorParameters& parameters);
 
-template <>
-struct Describe<RotorEsc> {
-  static void fields(schema::Builder<RotorEsc>& b);
-};
 template <>
 struct Describe<RotorParameters> {
   static void fields(schema::Builder<RotorParameters>& b);

@@ -1,7 +1,6 @@
 #include "sim/sizing/apply_data_sheet.h"
 
 #include "sim/sizing/drive_point.h"
-#include "sim/sizing/vehicle_drive.h"
 
 namespace rotorbench {
 
@@ -104,8 +103,8 @@ DataSheet sheetOf(const Flight& flight) {
       own != nullptr ? (own->rotors.empty() ? RotorParameters{} : own->rotors.front())
                      : std::get<EqualRotors>(flight.vehicle.rotors).rotor;
   sheet.motor = rotor.motor;
-  sheet.esc = escOf(rotor);
-  sheet.supply = supplyOf(flight.vehicle);
+  sheet.esc = rotor.esc;
+  sheet.supply = flight.vehicle.supply;
   sheet.inertia = GivenInertia{rotor.inertia};
   sheet.propeller = propellerOf(rotor.aerodynamics, buildAir(flight.environment.air).density(0.0),
                                 Supply(sheet.supply).openCircuit(1.0) * rotor.motor.speedConstant);
@@ -142,7 +141,9 @@ void apply(const DataSheet& sheet, Flight& flight) {
   if (const auto* p = std::get_if<BladeElementLoad>(&sheet.propeller)) {
     rotor.blades = p->propeller.blades;
   }
-  setDrive(vehicle, rotor, sheet.supply, sheet.esc, sheet.motor);
+  vehicle.supply = sheet.supply;
+  rotor.esc = sheet.esc;
+  rotor.motor = sheet.motor;
 }
 
 void apply(const DataSheet& sheet, DriveStand& stand) {

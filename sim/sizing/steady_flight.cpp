@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "sim/propulsion/bracketed_root.h"
-#include "sim/sizing/vehicle_drive.h"
 
 namespace rotorbench {
 
@@ -24,12 +23,12 @@ double Trim::tilt() const {
 
 SteadyFlight::SteadyFlight(const VehicleParameters& vehicle,
                            const EnvironmentParameters& environment)
-    : constants_(buildMultirotor<kSheetRotors>(vehicle, environment)), supply_(supplyOf(vehicle)) {
+    : constants_(buildMultirotor<kSheetRotors>(vehicle, environment)), supply_(vehicle.supply) {
   const auto rotors = rotorsOf(vehicle, kSheetRotors);
   arm_ = 0;
   for (std::size_t i = 0; i < kSheetRotors; ++i) {
     motors_[i] = rotors[i].rotor.motor;
-    escs_[i] = escOf(rotors[i].rotor);
+    escs_[i] = rotors[i].rotor.esc;
     currentLimits_[i] = std::min(motors_[i].maxCurrent, escs_[i].maxCurrent);
     radii_[i] = rotorRadius(rotors[i].rotor.aerodynamics);
     arm_ = std::max(arm_, constants_.hubs[i].arm.norm());

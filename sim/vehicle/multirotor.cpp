@@ -3,6 +3,7 @@
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
+#include <limits>
 
 namespace rotorbench {
 
@@ -13,11 +14,12 @@ template <int N>
 struct ForcesSink {
   MultirotorForces<N>& out;
   using Lanes = Eigen::Array<double, N, 1>;
-  void operator()(const Lanes& thrust, const Lanes& torque, const Lanes& voltage,
+  void operator()(const Lanes& thrust, const Lanes& torque, const Lanes& duty, const Lanes& voltage,
                   const Eigen::Vector3d& rates, const Eigen::Vector3d& specificForce, double bus,
                   double supplyCurrent) const {
     Eigen::Map<Lanes>(out.thrust.data()) = thrust;
     Eigen::Map<Lanes>(out.torque.data()) = torque;
+    Eigen::Map<Lanes>(out.duty.data()) = duty;
     Eigen::Map<Lanes>(out.voltage.data()) = voltage;
     out.rates = rates;
     out.specificForce = specificForce;
@@ -25,6 +27,13 @@ struct ForcesSink {
     out.supplyCurrent = supplyCurrent;
   }
 };
+
+/// V below which a speed controller gives other than its duty asks for. A passive one that is reversible has to look
+/// each time which way it drives.
+double leastExcess(const EscConstants& esc, const MotorConstants& motor) {
+  if (esc.activeBraking) return -motor.resistance * esc.maxCurrent;
+  return esc.least < 0 ? std::numeric_limits<double>::infinity() : 0;
+}
 
 template <int N>
 RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>& hubs) {
@@ -40,8 +49,12 @@ RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>&
     }
     lanes.spin[lane] = hub.spin;
     lanes.inverseInertia[lane] = hub.rotor.inverseInertia;
-    lanes.escResistance[lane] = hub.escResistance;
-    lanes.voltageBand[lane] = hub.motor.resistance * hub.motor.maxCurrent;
+    lanes.escResistance[lane] = hub.esc.resistance;
+    lanes.mostExcess[lane] = hub.motor.resistance * hub.esc.maxCurrent;
+    lanes.leastExcess[lane] = leastExcess(hub.esc, hub.motor);
+    lanes.duty.inverseResponse[lane] = hub.esc.inverseResponse;
+    lanes.duty.direct[lane] = hub.esc.direct;
+    lanes.duty.least[lane] = hub.esc.least;
     lanes.rotor.thrust[lane] = hub.rotor.thrust;
     lanes.rotor.torque[lane] = hub.rotor.torque;
     lanes.rotor.drag[lane] = hub.rotor.drag;
@@ -119,8 +132,9 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
     hub.spin = spinSign(rotors[i].placement.spin);
     hub.rotor = buildRotor(rotors[i].rotor);
     hub.motor = buildMotor(rotors[i].rotor.motor);
-    hub.motor.maxCurrent = std::min(hub.motor.maxCurrent, rotors[i].rotor.esc.maxCurrent);
-    hub.escResistance = rotors[i].rotor.esc.resistance;
+    hub.esc = buildEsc(rotors[i].rotor.esc, hub.motor);
+    hub.motor.maxCurrent = hub.esc.maxCurrent;
+    hub.deadTime = rotors[i].rotor.esc.deadTime;
     hub.momentum = hub.spin * hub.rotor.inertia * hub.axis;
   }
   c.mass = body.mass;
@@ -135,6 +149,7 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
   c.openCircuit = c.supply.openCircuit(c.supply.charge);
   c.lumped =
       std::ranges::all_of(c.hubs, [](const auto& hub) { return hub.rotor.model == nullptr; });
+  c.passive = std::ranges::any_of(c.hubs, [](const auto& hub) { return !hub.esc.activeBraking; });
   if (!c.lumped) lineariseAtHover(c);
   c.lanes = lanesOf<N>(c.hubs);
   return c;
@@ -166,9 +181,25 @@ void Multirotor<N, Drive>::updateCommand(const State& y, State& dydt,
     dydt[L::kEnergy] = at.bus * at.supplyCurrent;
     dydt.template segment<N>(L::kCurrent) =
         constants_.lanes.motor.currentRate(at.voltage, current, speed).matrix();
+    const LanesOf<double> commanded = command_.array(),
+                          follows = y.template segment<N>(L::kDuty).array();
+    dydt.template segment<N>(L::kDuty) = constants_.lanes.duty.rate(commanded, follows).matrix();
     Eigen::Map<LanesOf<double>>(forces.voltage.data()) = at.voltage;
+    Eigen::Map<LanesOf<double>>(forces.duty.data()) = at.duty;
   } else {
     dydt.template segment<N>(L::kSpeed) = command_;
+  }
+}
+
+template <int N, RotorDrive Drive>
+void Multirotor<N, Drive>::settle(State& y) const {
+  if constexpr (Drive == RotorDrive::Motors) {
+    for (int i = 0; i < N; ++i) {
+      const EscConstants& esc = constants_.hubs[static_cast<std::size_t>(i)].esc;
+      double& duty = y[Layout::kDuty + i];
+      duty = esc.duty(command_[i], duty);
+      esc.settle(duty, y[Layout::kCurrent + i]);
+    }
   }
 }
 
@@ -185,7 +216,7 @@ FlightPowers Multirotor<N, Drive>::powers(const State& y) const {
   for (int k = 0; k < N; ++k) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(k)];
     const double w = y[L::kSpeed + k], current = y[L::kCurrent + k];
-    p.escLoss += hub.escResistance * current * current;
+    p.escLoss += hub.esc.resistance * current * current;
     p.copperLoss += hub.motor.resistance * current * current;
     p.frictionLoss += hub.motor.friction(w) * w;
     p.shaft += forces.torque[static_cast<std::size_t>(k)] * w;
@@ -198,13 +229,17 @@ FlightPowers Multirotor<N, Drive>::powers(const State& y) const {
 template <int N, RotorDrive Drive>
 Eigen::Matrix2d Multirotor<N, Drive>::linear(int i) const {
   Eigen::Matrix2d a = Eigen::Matrix2d::Zero();
-  if constexpr (Drive == RotorDrive::Motors) {
-    const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-    const auto& m = hub.motor;
-    a << -m.viscousFriction * hub.rotor.inverseInertia, m.torqueConstant * hub.rotor.inverseInertia,
-        -m.torqueConstant * m.inverseInductance,
-        -(m.resistance + hub.escResistance) * m.inverseInductance;
+  if constexpr (Drive == RotorDrive::PrescribedSpeeds) return a;
+  if (i >= N) {
+    const auto& inverseResponse = constants_.lanes.duty.inverseResponse;
+    a.diagonal() << -inverseResponse[2 * (i - N)], -inverseResponse[2 * (i - N) + 1];
+    return a;
   }
+  const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+  const auto& m = hub.motor;
+  a << -m.viscousFriction * hub.rotor.inverseInertia, m.torqueConstant * hub.rotor.inverseInertia,
+      -m.torqueConstant * m.inverseInductance,
+      -(m.resistance + hub.esc.resistance) * m.inverseInductance;
   return a;
 }
 
@@ -227,9 +262,10 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
                                : Command(Command::Constant(start.rotorSpeed));
     setRotorSpeeds(y, speeds);
     if constexpr (Drive == RotorDrive::Motors) {
+      const double density = constants_.air.density(start.position.z());
+      y.template segment<N>(Layout::kDuty) = allowed(steadyDuties(speeds, density));
       for (int i = 0; i < N; ++i) {
         const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
-        const double density = constants_.air.density(start.position.z());
         const double torque = hub.rotor.atRest(speeds[i], density).torque;
         y[Layout::kCurrent + i] = hub.motor.steadyCurrent(speeds[i], torque);
       }
@@ -255,7 +291,12 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(
     const Command& speeds) const {
-  const double density = constants_.air.density(0.0);
+  return steadyDuties(speeds, constants_.air.density(0.0));
+}
+
+template <int N, RotorDrive Drive>
+typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(const Command& speeds,
+                                                                          double density) const {
   Command current, voltage;
   for (int i = 0; i < N; ++i) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
@@ -280,7 +321,8 @@ std::string Multirotor<N, Drive>::componentName(int index) {
     return "rotor" + std::to_string(index - first + 1) + "." + name;
   };
   if (index < L::kCurrent) return rotor(L::kSpeed, "speed");
-  if (index < L::kAttitude) return rotor(L::kCurrent, "current");
+  if (index < L::kDuty) return rotor(L::kCurrent, "current");
+  if (index < L::kAttitude) return rotor(L::kDuty, "duty");
   if (index < L::kMomentum) return std::string("attitude.") + "wxyz"[index - L::kAttitude];
   if (index < L::kVelocity) return axis("momentum", L::kMomentum);
   if (index < L::kPosition) return axis("velocity", L::kVelocity);

@@ -22,8 +22,10 @@
 
 #include "sim/environment/environment.h"
 #include "sim/propulsion/battery.h"
+#include "sim/propulsion/esc.h"
 #include "sim/propulsion/motor.h"
 #include "sim/propulsion/rotor.h"
+#include "sim/vehicle/multirotor_layout.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {
@@ -36,7 +38,9 @@ struct RotorLanes {
   std::array<Lanes, 3> arm, axis, momentum;  ///< x, y, z of what Hub holds
   Lanes spin, inverseInertia;
   Lanes escResistance;  ///< Ohm
-  Lanes voltageBand;    ///< V, R i_max: how far the terminals may leave the back-EMF
+  /// V: within these of the back-EMF the converter gives what the duty asks for; beyond them, see EscConstants.
+  Lanes leastExcess, mostExcess;
+  DutyModel<Lanes> duty;
   RotorModel<Lanes> rotor;
   MotorModel<Lanes> motor;
 };
@@ -50,12 +54,13 @@ struct MultirotorConstants {
     double spin;               ///< +1 counter-clockwise from above
     Eigen::Vector3d momentum;  ///< s J a: angular momentum per rotor speed
     RotorConstants rotor;
-    MotorConstants motor;      ///< its current limit is the lower one of motor and speed controller
-    double escResistance = 0;  ///< Ohm
+    MotorConstants motor;  ///< its current limit is the lower one of motor and speed controller
+    EscConstants esc;
+    double deadTime = 0;  ///< s until a command begins to act; whoever gives it waits
     /// Winding and speed controller as one: what a controller sees that sets the duty.
     [[nodiscard]] MotorConstants drive() const {
       MotorConstants m = motor;
-      m.resistance += escResistance;
+      m.resistance += esc.resistance;
       return m;
     }
   };
@@ -68,6 +73,7 @@ struct MultirotorConstants {
   AirConstants air;
   BodyDrag drag;
   bool lumped = true;      ///< every rotor: `lanes` holds all of them
+  bool passive = false;    ///< some speed controller does not brake actively
   double openCircuit = 0;  ///< V, of the supply at the start; of one that never empties always
   Supply supply{SupplyModel{}};
 };
@@ -78,61 +84,6 @@ template <int N>
 MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
                                        const EnvironmentParameters& environment,
                                        bool asPlanned = false);
-
-/// How rotor speeds come about.
-enum class RotorDrive {
-  Motors,           ///< command: duty 0..1 of each motor; rotor speed and current are computed
-  PrescribedSpeeds  ///< command: rotor acceleration in rad/s^2; speeds are set with
-                    ///< setRotorSpeeds()
-};
-
-/// Where each quantity stands in the state. Rotor arrays come first and everything is contiguous,
-/// so that the sums of a Runge-Kutta step vectorise; 2 N + 16 is even for the same reason.
-template <int N>
-struct MultirotorLayout {
-  static constexpr int kSpeed = 0;                  ///< rad/s, N
-  static constexpr int kCurrent = N;                ///< A, N
-  static constexpr int kAttitude = 2 * N;           ///< w x y z, body to inertial
-  static constexpr int kMomentum = 2 * N + 4;       ///< H, body axes, kg m^2/s
-  static constexpr int kVelocity = 2 * N + 7;       ///< inertial, m/s
-  static constexpr int kPosition = 2 * N + 10;      ///< inertial, m
-  static constexpr int kCharge = 2 * N + 13;        ///< A s drawn from the supply
-  static constexpr int kPolarisation = 2 * N + 14;  ///< V over the RC pair of the battery
-  static constexpr int kEnergy = 2 * N + 15;        ///< J drawn from the supply's terminals
-  static constexpr int kStates = 2 * N + 16;
-};
-
-/// What the derivative works out on the way, for sensors, charts and recordings.
-template <int N>
-struct MultirotorForces {
-  std::array<double, N> thrust;   ///< N
-  std::array<double, N> torque;   ///< N m, aerodynamic, against the rotation
-  std::array<double, N> voltage;  ///< V at the motor
-  double busVoltage;              ///< V of the supply under load
-  double supplyCurrent;           ///< A drawn from the supply
-  double stateOfCharge;           ///< 0..1; stays where it is for a supply that never empties
-  Eigen::Vector3d attitude;       ///< roll, pitch, yaw (Z-Y-X), rad; yaw in (-pi, pi]
-  Eigen::Vector3d rates;          ///< body rates, rad/s
-  Eigen::Vector3d acceleration;   ///< inertial, m/s^2
-  Eigen::Vector3d
-      specificForce;  ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
-};
-
-/// Powers in W of one instant of all motors and the supply; what goes in equals what is stored and lost.
-struct FlightPowers {
-  double source;        ///< OCV i, taken from the cells
-  double supplyLoss;    ///< R_0 i^2 + v_rc i
-  double escLoss;       ///< sum of R_esc i^2
-  double copperLoss;    ///< sum of R i^2
-  double frictionLoss;  ///< sum of friction(w) w
-  double shaft;         ///< sum of Q w: what the air takes
-  double magnetic;      ///< d/dt of the sum of L i^2/2
-  double kinetic;       ///< sum of J w w'
-  /// source minus everything else; 0 up to rounding.
-  [[nodiscard]] double residual() const {
-    return source - supplyLoss - escLoss - copperLoss - frictionLoss - shaft - magnetic - kinetic;
-  }
-};
 
 template <int N, RotorDrive Drive = RotorDrive::Motors>
 class Multirotor {
@@ -154,9 +105,17 @@ class Multirotor {
 
   explicit Multirotor(const Constants& constants) : constants_(constants) {}
 
-  /// Held between two calls; see RotorDrive. Duties outside 0..1 are limited here.
-  void setCommand(const Command& command) {
-    command_ = Drive == RotorDrive::Motors ? Command(command.cwiseMax(0).cwiseMin(1)) : command;
+  /// Held between two calls; see RotorDrive. Duties beyond what the speed controllers take are cut off.
+  void setCommand(const Command& command) { command_ = allowed(command); }
+  /// The same in the course of a flight: the state takes what jumps with it.
+  void setCommand(const Command& command, State& y) {
+    setCommand(command);
+    settle(y);
+  }
+  /// What of a command the speed controllers take.
+  [[nodiscard]] Command allowed(const Command& command) const {
+    if constexpr (Drive == RotorDrive::PrescribedSpeeds) return command;
+    return command.array().max(constants_.lanes.duty.least).min(1).matrix();
   }
   [[nodiscard]] const Command& command() const { return command_; }
 
@@ -173,21 +132,25 @@ class Multirotor {
 
   /// The derivative together with the quantities it passes through.
   void derivativeAndForces(const State& y, State& dydt, MultirotorForces<N>& forces) const;
-  /// Brings both up to date after setCommand() without working out everything again: only the electrical
-  /// side depends on a motor's duty.
+  /// Brings both up to date after setCommand(command, y) without working out everything again: only the electrical
+  /// side depends on a motor's command.
   void updateCommand(const State& y, State& dydt, MultirotorForces<N>& forces) const;
 
-  /// To be called once after each step: brings the quaternion back to unit length.
-  static void afterStep(State& y) {
+  /// To be called once after each step: brings the quaternion back to unit length and ends currents that a passive
+  /// speed controller does not let flow.
+  void afterStep(State& y) const {
     y.template segment<4>(Layout::kAttitude) *= 1 / y.template segment<4>(Layout::kAttitude).norm();
+    if (constants_.passive) settle(y);
   }
 
-  /// Motor pairs (speed, current) for the exponential Runge-Kutta method; linear(i) is the constant
-  /// part
-  /// [[-f/J, K/J], [-K/L, -R/L]] of their equations, R with the speed controller's (zero where speeds are prescribed).
-  static constexpr int kPairs = N;
+  /// Linear pairs for the exponential Runge-Kutta method. First the motors' (speed, current), linear(i) being the
+  /// constant part [[-f/J, K/J], [-K/L, -R/L]] of their equations, R with the speed controller's (zero where speeds are
+  /// prescribed); then the duties two by two, which a command held for the step makes linear altogether.
+  static constexpr int kPairs = Drive == RotorDrive::Motors ? N + N / 2 : N;
+  static_assert(N % 2 == 0);
   static constexpr std::pair<int, int> pair(int i) {
-    return {Layout::kSpeed + i, Layout::kCurrent + i};
+    if (i < N) return {Layout::kSpeed + i, Layout::kCurrent + i};
+    return {Layout::kDuty + 2 * (i - N), Layout::kDuty + 2 * (i - N) + 1};
   }
   [[nodiscard]] Eigen::Matrix2d linear(int i) const;
 
@@ -210,7 +173,7 @@ class Multirotor {
   }
 
   /// A state of the centre of mass at `start`; the body frame's origin plays no role. Rotors that
-  /// hover are at hoverSpeeds() with their steady currents.
+  /// hover are at hoverSpeeds(); turning rotors have the currents and duties that hold their speeds.
   [[nodiscard]] State initialState(const FlightStart& start) const;
   /// Rotor speeds in rad/s whose thrusts carry the vehicle level in still air without a moment
   /// about the x and y axes, and about z as far as spins allow. Throws InputError if some rotor
@@ -244,20 +207,24 @@ class Multirotor {
     return r;
   }
 
-  /// Supply and motors' voltages for a duty and a current of each.
+  /// Duties without a lag become their commands; see EscConstants::settle().
+  void settle(State& y) const;
+  [[nodiscard]] Command steadyDuties(const Command& speeds, double density) const;
+
+  /// Supply and motors' voltages for a command and a current of each.
   template <class S>
   struct Electrical {
-    LanesOf<S> voltage;
+    LanesOf<S> duty, voltage;
     S bus, supplyCurrent;
   };
   template <class S>
   [[nodiscard]] Electrical<S> electrical(const CommandOf<S>& command, const StateOf<S>& y) const;
-  /// Some motor's terminals would leave the band around its back-EMF.
+  /// Some speed controller gives other than its duty asks for.
   template <class S>
-  [[nodiscard]] bool beyondBand(const LanesOf<S>& excess) const;
+  [[nodiscard]] bool someLimit(const LanesOf<S>& excess) const;
   template <class S>
-  void limitCurrent(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
-                    Electrical<S>& at) const;
+  void limitVoltages(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
+                     Electrical<S>& at) const;
   template <class S>
   using LoadOf = RotorLoad<LanesOf<S>, std::array<LanesOf<S>, 3>>;
   /// Rotor by rotor, where one at least is not lumped.

@@ -56,27 +56,29 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   const auto& lanes = constants_.lanes;
   const Lanes current = y.template segment<N>(Layout::kCurrent).array();
   const Lanes speed = y.template segment<N>(Layout::kSpeed).array();
+  const Lanes commanded = command.array(), follows = y.template segment<N>(Layout::kDuty).array();
   const S inner = openCircuit(y) - y[Layout::kPolarisation];
   Electrical<S> at;
-  at.supplyCurrent = Lanes(command.array() * current).sum();
+  at.duty = lanes.duty.duty(commanded, follows);
+  at.supplyCurrent = Lanes(at.duty * current).sum();
   at.bus = inner - constants_.supply.resistance * at.supplyCurrent;
-  const Lanes free = command.array() * at.bus - lanes.escResistance * current;
   const Lanes back = lanes.motor.torqueConstant * speed;
-  at.voltage = free;
-  const Lanes excess = free - back;
-  if (beyondBand(excess)) limitCurrent(current, back, inner, at);
+  at.voltage = at.duty * at.bus - lanes.escResistance * current;
+  const Lanes excess = at.voltage - back;
+  if (someLimit(excess)) limitVoltages(current, back, inner, at);
   return at;
 }
 
 template <int N, RotorDrive Drive>
 template <class S>
-inline bool Multirotor<N, Drive>::beyondBand(const LanesOf<S>& excess) const {
-  const auto& band = constants_.lanes.voltageBand;
+inline bool Multirotor<N, Drive>::someLimit(const LanesOf<S>& excess) const {
+  const auto& least = constants_.lanes.leastExcess;
+  const auto& most = constants_.lanes.mostExcess;
   if constexpr (std::is_same_v<S, double>) {
-    return (excess.abs() > band).any();
+    return (excess < least || excess > most).any();
   } else {
     for (int i = 0; i < N; ++i) {
-      if (std::abs(valueOf(excess[i])) > band[i]) return true;
+      if (valueOf(excess[i]) < least[i] || valueOf(excess[i]) > most[i]) return true;
     }
     return false;
   }
@@ -84,20 +86,20 @@ inline bool Multirotor<N, Drive>::beyondBand(const LanesOf<S>& excess) const {
 
 template <int N, RotorDrive Drive>
 template <class S>
-[[gnu::noinline]] void Multirotor<N, Drive>::limitCurrent(const LanesOf<S>& current,
-                                                          const LanesOf<S>& back, const S& inner,
-                                                          Electrical<S>& at) const {
+[[gnu::noinline]] void Multirotor<N, Drive>::limitVoltages(const LanesOf<S>& current,
+                                                           const LanesOf<S>& back, const S& inner,
+                                                           Electrical<S>& at) const {
   using std::max;
   using std::sqrt;
   using Lanes = LanesOf<S>;
-  const auto& lanes = constants_.lanes;
   for (int i = 0; i < N; ++i) {
-    const double excess = valueOf(at.voltage[i]) - valueOf(back[i]), band = lanes.voltageBand[i];
-    if (std::abs(excess) > band) at.voltage[i] = back[i] + (excess > 0 ? band : -band);
+    const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+    at.voltage[i] =
+        hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
   // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
   // root being the stable one.
-  const S power = Lanes((at.voltage + lanes.escResistance * current) * current).sum();
+  const S power = Lanes((at.voltage + constants_.lanes.escResistance * current) * current).sum();
   const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
   at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));
   at.supplyCurrent = power / at.bus;
@@ -159,18 +161,23 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
     add(mixedLoads<S>(speed, hubVelocity, density));
   }
 
-  Electrical<S> at{Lanes::Constant(S(0.0)), S(c.openCircuit), S(0.0)};
+  const Lanes zero = Lanes::Constant(S(0.0));
+  Electrical<S> at{zero, zero, S(c.openCircuit), S(0.0)};
+  auto dutyRate = dydt.template segment<N>(L::kDuty).array();
   auto speedRate = dydt.template segment<N>(L::kSpeed).array();
   auto currentRate = dydt.template segment<N>(L::kCurrent).array();
   if constexpr (Drive == RotorDrive::Motors) {
     const Lanes current = y.template segment<N>(L::kCurrent).array();
+    const Lanes commanded = command.array(), follows = y.template segment<N>(L::kDuty).array();
     at = electrical<S>(command, y);
+    dutyRate = lanes.duty.rate(commanded, follows);
     speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - torque) *
                 lanes.inverseInertia;
     currentRate = lanes.motor.currentRate(at.voltage, current, speed);
   } else {
     speedRate = command.array();
-    currentRate = at.voltage;
+    currentRate = zero;
+    dutyRate = zero;
   }
 
   dydt[L::kAttitude] = -0.5 * (qx * w[0] + qy * w[1] + qz * w[2]);
@@ -190,7 +197,7 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
   dydt[L::kPolarisation] = (c.supply.polarisation * at.supplyCurrent - y[L::kPolarisation]) *
                            c.supply.inversePolarisationTime;
   dydt[L::kEnergy] = at.bus * at.supplyCurrent;
-  sink(thrust, torque, at.voltage, w, force, at.bus, at.supplyCurrent);
+  sink(thrust, torque, at.duty, at.voltage, w, force, at.bus, at.supplyCurrent);
 }
 
 }  // namespace rotorbench

@@ -49,6 +49,7 @@ void visitMultirotorOutputs(const typename Plant::State& y,
     visit(i + 1, "torque", "N*m", "Aerodynamic torque against the rotation", forces.torque[k]);
     if constexpr (kMotors) {
       const double current = y[L::kCurrent + i];
+      visit(i + 1, "duty", "1", "Share of the supply's voltage put on the motor", forces.duty[k]);
       visit(i + 1, "current", "A", "Motor current", current);
       visit(i + 1, "voltage", "V", "Motor voltage", forces.voltage[k]);
       visit(i + 1, "power", "W", "Electrical power of the motor", forces.voltage[k] * current);

@@ -70,7 +70,8 @@ void controllerTick(benchmark::State& state) {
   plant.derivativeAndForces(y, dydt, forces);
   double t = 0;
   for (auto _ : state) {
-    pilot.act(t, flight.tick, plant, y, dydt, forces);
+    plant.setCommand(pilot.command(t, plant, y, forces), y);
+    plant.updateCommand(y, dydt, forces);
     t += flight.tick;
     benchmark::DoNotOptimize(y);
   }

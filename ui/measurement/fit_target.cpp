@@ -98,15 +98,10 @@ FitStart FitTarget::start() const {
   FitStart start;
   const auto* motor = objectIn<MotorParameters>(root);
   if (motor != nullptr) start.motor = *motor;
-  const auto takeEsc = [&](const auto& esc) {
-    start.escResistance = esc.resistance;
-    start.currentLimit =
-        motor != nullptr ? std::min(esc.maxCurrent, motor->maxCurrent) : esc.maxCurrent;
-  };
   if (const auto* esc = objectIn<EscParameters>(root)) {
-    takeEsc(*esc);
-  } else if (const auto* rotorEsc = objectIn<RotorEsc>(root)) {
-    takeEsc(*rotorEsc);
+    start.escResistance = esc->resistance;
+    start.currentLimit =
+        motor != nullptr ? std::min(esc->maxCurrent, motor->maxCurrent) : esc->maxCurrent;
   }
   if (const auto* propeller = objectIn<PropellerGeometry>(root)) start.propeller = *propeller;
   if (const auto* settings = objectIn<BladeElementSettings>(root)) start.settings = *settings;

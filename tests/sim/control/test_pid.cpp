@@ -26,6 +26,8 @@ class TestPid : public QObject {
   void rateMustDivideTheTick();
   void motorReachesItsSpeedWithinTheCurrentLimit_data();
   void motorReachesItsSpeedWithinTheCurrentLimit();
+  void slowingIsAsTheSpeedControllerCan_data();
+  void slowingIsAsTheSpeedControllerCan();
 };
 
 /// Plant T y' = u - y, gains kp/ki = T: the zero cancels the pole, and y = 1 - exp(-kp t/T).
@@ -144,7 +146,7 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   MotorSpeedParameters settings;
   settings.feedForward = feedForward;
   const double inertia = 6.05e-5, drag = 2.621e-7, h = 1e-5;
-  MotorSpeedController controller(settings, m, inertia, drag);
+  MotorSpeedController controller(settings, m, buildEsc({}, m), inertia, drag);
   double w = from, i = m.steadyCurrent(from, drag * from * from), v = 0, most = 0, least = 100;
   for (int k = 0; k < 500000; ++k) {
     if (k % 100 == 0) v = controller.update(to, w, 11.1);
@@ -158,6 +160,35 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   QVERIFY2(std::abs(w - to) < 1e-6 * to, qPrintable(QString::number(w)));
   // Between two updates the back-EMF moves on a little.
   QVERIFY2(most < 15.5 && least > -15.5, qPrintable(QString("%1 %2").arg(most).arg(least)));
+}
+
+/// A rotor far too fast: full braking within the current's band, by reversing where the speed controller can, and
+/// nothing below the back-EMF where it does not brake.
+void TestPid::slowingIsAsTheSpeedControllerCan_data() {
+  QTest::addColumn<bool>("braking");
+  QTest::addColumn<bool>("reverse");
+  QTest::addColumn<double>("speed");
+  QTest::addColumn<double>("voltage");
+  const MotorConstants m = buildMotor({});
+  const double back = 300 * m.torqueConstant, band = m.resistance * m.maxCurrent;
+  QTest::addRow("braking") << true << false << 300.0 << back - band;
+  QTest::addRow("braking at low speed") << true << false << 100.0 << 0.0;
+  QTest::addRow("reversing") << true << true << 100.0 << 100 * m.torqueConstant - band;
+  QTest::addRow("passive") << false << false << 300.0 << back;
+  QTest::addRow("passive, turning backwards") << false << false << -100.0 << 0.0;
+}
+
+void TestPid::slowingIsAsTheSpeedControllerCan() {
+  QFETCH(bool, braking);
+  QFETCH(bool, reverse);
+  QFETCH(double, speed);
+  QFETCH(double, voltage);
+  const MotorConstants m = buildMotor({});
+  const EscConstants esc = buildEsc({.reverse = reverse, .activeBraking = braking}, m);
+  MotorSpeedParameters settings;
+  settings.feedForward = false;
+  MotorSpeedController controller(settings, m, esc, 6.05e-5, 2.6e-7);
+  QVERIFY(std::abs(controller.update(-3000, speed, 11.1) - voltage) < 1e-12);
 }
 
 QTEST_APPLESS_MAIN(TestPid)

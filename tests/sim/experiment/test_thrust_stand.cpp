@@ -179,6 +179,7 @@ class TestThrustStandKind : public QObject {
     ThrustStand stand = lastingStand();
     stand.stand.load = BladeElementLoad{};
     stand.stand.quasiStaticCurrent = true;  // here the propeller makes much of the pole
+    stand.stand.esc.responseTime = 0;
     stand.run.tick = 1;
     stand.run.solver.step = 1;
     const auto warnings = warningsOf(experimentOf(stand));

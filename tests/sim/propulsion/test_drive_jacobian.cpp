@@ -22,18 +22,22 @@ void TestDriveJacobian::exactJacobianEqualsCentralDifferences_data() {
   QTest::addColumn<double>("current");
   QTest::addColumn<double>("speed");
   QTest::addColumn<double>("duty");
+  QTest::addColumn<bool>("braking");
   for (const bool quasiStatic : {false, true}) {
     for (const bool battery : {false, true}) {
-      const auto row = [&](const char* name, double i, double w, double d) {
+      const auto row = [&](const char* name, double i, double w, double d, bool braking = true) {
         QTest::addRow("%s, %s, %s", name, quasiStatic ? "quasi-static" : "dynamic",
                       battery ? "battery" : "fixed voltage")
-            << quasiStatic << battery << i << w << d;
+            << quasiStatic << battery << i << w << d << braking;
       };
       row("driving", 8, 520, 0.7);
       row("braking", -5, 700, 0.4);
       row("near rest", 2, 0.5, 0.05);
       row("backwards", -6, -300, -0.5);
       row("at the current limit", 29.999, 100, 1);
+      row("passive, driving", 8, 520, 0.7, false);
+      row("passive, let go", 3, 720, 0.3, false);
+      row("passive, against the duty", -40, 320, -0.4, false);
     }
   }
 }
@@ -45,6 +49,7 @@ void TestDriveJacobian::exactJacobianEqualsCentralDifferences() {
   QFETCH(double, current);
   QFETCH(double, speed);
   QFETCH(double, duty);
+  QFETCH(bool, braking);
   DriveTrainSetup setup;
   if (battery) {
     setup.supply = BatteryParameters{};
@@ -54,6 +59,7 @@ void TestDriveJacobian::exactJacobianEqualsCentralDifferences() {
   setup.motor.viscousShare = 0.3;
   setup.motor.maxCurrent = 100;
   setup.esc.reverse = true;
+  setup.esc.activeBraking = braking;
   setup.load.quadratic = {50, {}};
   for (int k = 0; k <= 20; ++k) setup.load.quadratic.values.push_back(2e-7 * (1 + 0.02 * k));
   setup.load.constant = 0.004;

@@ -9,5 +9,5 @@ void plainRk4(const Plant& plant, double h, State& y) {
   plant(0, State(y + h / 2 * k2), k3);
   plant(0, State(y + h * k3), k4);
   y += h / 6 * (k1 + 2 * k2 + 2 * k3 + k4);
-  if constexpr (requires { Plant::afterStep(y); }) Plant::afterStep(y);
+  if constexpr (requires { plant.afterStep(y); }) plant.afterStep(y);
 }

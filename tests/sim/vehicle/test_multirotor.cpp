@@ -260,14 +260,15 @@ void TestMultirotor::freeTumbleFollowsJacobi() {
 void TestMultirotor::mirroredVehicleMovesMirrored() {
   VehicleParameters v = hummingbird();
   v.layout = CrossLayout{};
+  std::get<EqualRotors>(v.rotors).rotor.esc.responseTime = 0.01;
   const Driven plant(buildMultirotor<4>(v, {}));
   Driven::State y, z, dy, dz;
-  y << 400, 450, 500, 550, 5, 6, 7, 8, 0.9, 0.3, -0.2, 0.25, 0.01, -0.02, 0.03, 1, 2, -3, 4, 5, 6,
-      0, 0, 0;
-  Driven::afterStep(y);
+  y << 400, 450, 500, 550, 5, 6, 7, 8, 0.4, 0.5, 0.6, 0.7, 0.9, 0.3, -0.2, 0.25, 0.01, -0.02, 0.03,
+      1, 2, -3, 4, 5, 6, 0, 0, 0;
+  plant.afterStep(y);
   const auto mirrored = [](const Driven::State& s) {
     Driven::State r = s;
-    for (int k : {L::kSpeed, L::kCurrent}) {
+    for (int k : {L::kSpeed, L::kCurrent, L::kDuty}) {
       r.segment<4>(k) << s[k + 3], s[k + 2], s[k + 1], s[k];
     }
     for (int k : {L::kAttitude + 1, L::kAttitude + 3, L::kMomentum, L::kMomentum + 2,
@@ -356,6 +357,7 @@ void TestMultirotor::weakSupplyNeedsMoreDuty() {
 void TestMultirotor::componentNamesFollowTheState() {
   QCOMPARE(Driven::componentName(1), std::string("rotor2.speed"));
   QCOMPARE(Driven::componentName(7), std::string("rotor4.current"));
+  QCOMPARE(Driven::componentName(8), std::string("rotor1.duty"));
   QCOMPARE(Driven::componentName(L::kAttitude + 3), std::string("attitude.z"));
   QCOMPARE(Driven::componentName(L::kPosition + 2), std::string("position.z"));
   QCOMPARE(Driven::componentName(L::kCharge), std::string("supply.charge"));

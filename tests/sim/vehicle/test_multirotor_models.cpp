@@ -34,7 +34,7 @@ VehicleParameters vehicle(const RotorAerodynamics& aerodynamics) {
   VehicleParameters v;
   auto& rotor = std::get<EqualRotors>(v.rotors).rotor;
   rotor.aerodynamics = aerodynamics;
-  rotor.esc = {.resistance = 0.008, .maxCurrent = 18};
+  rotor.esc = {.resistance = 0.008, .responseTime = 0, .maxCurrent = 18};
   // Within a piece of the table of voltages: at its joints a difference is no derivative.
   v.supply = BatteryParameters{.charge = 0.803};
   return v;

@@ -132,6 +132,7 @@ class TestLibraryDialog : public QObject {
   void detailsTellAll();
   void alternativesAreChosenToo();
   void airframeReplacesTheVehicle();
+  void speedControllersOfAVehicle();
   void saveAndFindAgain();
   void nameTakenIsSaid();
   void shippedCannotBeChanged();
@@ -265,6 +266,52 @@ void TestLibraryDialog::airframeReplacesTheVehicle() {
   const auto& vehicle = std::get<Flight>(bench.model.as<Experiment>().setup).vehicle;
   QCOMPARE(std::get<DirectMass>(vehicle.mass).mass, 1.023);
   QVERIFY(!bench.model.hasErrors());
+}
+
+/// Rotors fly with the speed controllers the stands have: picked, read in the form, changed, saved, found again.
+void TestLibraryDialog::speedControllersOfAVehicle() {
+  Bench bench{Experiment()};
+  const auto esc = [](Bench& b) -> const EscParameters& {
+    const auto& vehicle = std::get<Flight>(b.model.as<Experiment>().setup).vehicle;
+    return std::get<EqualRotors>(vehicle.rotors).rotor.esc;
+  };
+  const QString section = "setup.vehicle.rotors.rotor", place = "setup.vehicle.rotors.rotor.esc";
+  LibraryDialog* dialog = bench.open(section, place);
+  QVERIFY(dialog != nullptr);
+  QVERIFY(names(dialog).size() >= 6);
+  search(dialog, "dji 420");
+  QCOMPARE(names(dialog), QStringList{"DJI 420 LITE"});
+  click(dialog, "libraryUse");
+  QTRY_VERIFY(bench.panel->findChild<LibraryDialog*>() == nullptr);
+  QVERIFY(esc(bench) == (EscParameters{.maxCurrent = 20}));
+  const auto shows = [&](const char* key, const QString& text) {
+    auto* field = bench.panel->findChild<QLineEdit*>(place + "." + key);
+    return field != nullptr && field->isVisible() && field->text() == text;
+  };
+  QTRY_VERIFY(shows("maxCurrent", QLocale().toString(20)));
+  QVERIFY(shows("responseTime", QLocale().toString(10)));  // ms
+  QVERIFY(shows("resistance", QLocale().toString(5)));     // mOhm
+  QVERIFY(!bench.model.hasErrors());
+
+  auto* field = bench.panel->findChild<QLineEdit*>(place + ".responseTime");
+  field->setFocus();
+  field->selectAll();
+  QTest::keyClicks(field, "4");
+  QTest::keyClick(field, Qt::Key_Return);
+  QTRY_COMPARE(esc(bench).responseTime, 0.004);
+  dialog = bench.open(section, place);
+  QVERIFY(dialog != nullptr);
+  click(dialog, "librarySave");
+  giveName(dialog, "Quick 420", "Timed with a scope");
+  QTRY_COMPARE(names(dialog).value(0), QString("Quick 420"));
+  QTest::keyClick(dialog, Qt::Key_Escape);
+
+  Bench stand;  // what was saved from a vehicle fits a stand
+  dialog = stand.open("setup.stand", "setup.stand.esc");
+  QVERIFY(dialog != nullptr);
+  search(dialog, "quick");
+  click(dialog, "libraryUse");
+  QTRY_VERIFY(stand.stand().esc == esc(bench));
 }
 
 void TestLibraryDialog::saveAndFindAgain() {
