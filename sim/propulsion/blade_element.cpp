@@ -226,7 +226,8 @@ void BladeElementRotor::addOblique(const Element& e, double omega, double axialS
   const double square = turning * turning,
                turned = square > 0 ? square / (square + inPlaneSpeed * inPlaneSpeed / 2) : 0;
   const double tip = omega * radius_;
-  const RootRule rule = RootRule::at(advanceRatio(axialSpeed, std::hypot(tip, inPlaneSpeed)));
+  const RootRule rule = RootRule::at(advanceRatio(axialSpeed, std::hypot(tip, inPlaneSpeed)),
+                                     inPlaneSpeed / std::max(tip, 1e-9 * speed));
   const double share = 1 / static_cast<double>(azimuths_.size());
   withCurve(e, air.density * speed * e.chord / air.viscosity, [&](const auto& curve) {
     const auto flow = [&](double v, double swirl, double azimuth) {

@@ -14,16 +14,29 @@
 
 namespace rotorbench {
 
+/// 0 up to 0, 1 from 1 on, smooth in between.
+inline double smoothStep(double x) {
+  const double t = std::clamp(x, 0.0, 1.0);
+  return t * t * (3 - 2 * t);
+}
+
 /// How the root is taken, by the advance ratio J = V/(n D).
 struct RootRule {
   bool many = false;    ///< look for several roots
   double softness = 0;  ///< weight of the soft edge, 0 to 1
 
-  /// One root above J = -0.1, several below, the soft edge coming in from -0.35 to -0.6.
-  static RootRule at(double advance) {
-    constexpr double kSeveral = -0.1, kSoftFrom = -0.35, kSoftTo = -0.6;
-    const double t = std::clamp((advance - kSoftFrom) / (kSoftTo - kSoftFrom), 0.0, 1.0);
-    return {advance < kSeveral, t * t * (3 - 2 * t)};
+  /// In axial flow one root above J = -0.1, several below, the soft edge coming in from -0.35 to -0.6. In a stream from the
+  /// side, `edgewise` times the tips' speed, the blades pass all angles of attack in every turn, and their annuli jump
+  /// between roots one after the other: from an edgewise ratio of 0.05 on the soft edge comes in from -0.05 to -0.2.
+  static RootRule at(double advance, double edgewise = 0) {
+    constexpr double kFullyEdgewise = 0.05;
+    constexpr double kSeveral[] = {-0.1, -0.05}, kSoftFrom[] = {-0.35, -0.05},
+                     kSoftTo[] = {-0.6, -0.2};
+    const double share = smoothStep(edgewise / kFullyEdgewise);
+    const double from = std::lerp(kSoftFrom[0], kSoftFrom[1], share),
+                 to = std::lerp(kSoftTo[0], kSoftTo[1], share);
+    return {advance < std::lerp(kSeveral[0], kSeveral[1], share),
+            smoothStep((advance - from) / (to - from))};
   }
 };
 

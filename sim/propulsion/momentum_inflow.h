@@ -47,7 +47,7 @@ inline double inducedVelocity(double h, double axial, double inPlane) {
   const double atTop = 1 / top;
   // Newton's method between nothing and the axial solution, where w sqrt(...) passes 1; halving where it would leave them.
   constexpr int kMostSteps = 60;
-  constexpr double kSmallStep = 1e-7;  // the error after it is of the order of its square
+  constexpr double kSmallStep = 1e-6;  // the error after it is of the order of its square
   double low = 0, high = top, w = 1 / std::sqrt(m * m + atTop * atTop);
   for (int i = 0; i < kMostSteps; ++i) {
     const double through = atTop + slope * (w - top);

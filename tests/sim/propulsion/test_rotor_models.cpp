@@ -174,10 +174,11 @@ class TestRotorModels : public QObject {
     QVERIFY(worstThrust < thrust && worstTorque < torque);
   }
 
-  /// Map against blade elements with air from the side: in flight, and over the whole map.
+  /// Map against blade elements with air from the side: in flight, and over the whole map. The two that came out worst; the
+  /// validation suite has seven.
   void mapFollowsObliqueFlow_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"apcsf_10x4.7", "da4052_9x8.95", "gwsdd_4x2.5"})
+    for (const char* name : {"da4052_9x8.95", "gwsdd_4x2.5"})
       QTest::addRow("%s", name) << name;
   }
   void mapFollowsObliqueFlow() {
