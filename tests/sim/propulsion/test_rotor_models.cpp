@@ -178,8 +178,7 @@ class TestRotorModels : public QObject {
   /// validation suite has seven.
   void mapFollowsObliqueFlow_data() {
     QTest::addColumn<QString>("name");
-    for (const char* name : {"da4052_9x8.95", "gwsdd_4x2.5"})
-      QTest::addRow("%s", name) << name;
+    for (const char* name : {"da4052_9x8.95", "gwsdd_4x2.5"}) QTest::addRow("%s", name) << name;
   }
   void mapFollowsObliqueFlow() {
     QFETCH(QString, name);
