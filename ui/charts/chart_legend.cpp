@@ -3,6 +3,7 @@
 #include <QEvent>
 #include <QMenu>
 #include <QPainter>
+#include <QStyle>
 #include <algorithm>
 
 namespace rotorbench {
@@ -76,10 +77,34 @@ void ChartLegend::setMostHeight(int height) {
   arrange();
 }
 
-void ChartLegend::setColumnWidth(int width) {
-  if (width == columnWidth_) return;
-  columnWidth_ = width;
+void ChartLegend::setMostWidth(int width) {
+  if (width == mostWidth_) return;
+  mostWidth_ = width;
   arrange();
+}
+
+/// The first of the arrangements of choosePlaces() that the most width has room for. Full names are worth two thirds of it.
+int ChartLegend::columnWidth(int rowHeight) const {
+  const auto widest = [&](QString LegendEntry::*name) {
+    int width = 0;
+    for (const LegendItem* item : items_)
+      width = std::max(width, item->widthOf(item->entry().*name));
+    return width;
+  };
+  const int label = widest(&LegendEntry::label), shortLabel = widest(&LegendEntry::shortLabel);
+  const int cells = static_cast<int>(heads_.size()) * widestCell_;
+  const auto withBar = [&](int names, int linesEach) {
+    const int lines = linesEach * static_cast<int>(items_.size()) + (heads_.isEmpty() ? 0 : 1);
+    const bool scrolls = lines * rowHeight + 2 > height();
+    return names + 2 * kBetween +
+           (scrolls ? style()->pixelMetric(QStyle::PM_ScrollBarExtent, nullptr, this) : 0);
+  };
+  const int full = 2 * mostWidth_ / 3;
+  if (const int w = withBar(label + cells, 1); w <= (cells > 0 ? mostWidth_ : full)) return w;
+  if (const int w = withBar(shortLabel + cells, 1); w <= mostWidth_) return w;
+  if (cells == 0) return mostWidth_;
+  if (const int w = withBar(std::max(label, widestCell_), 2); w <= full) return w;
+  return std::min(mostWidth_, withBar(std::max(shortLabel, widestCell_), 2));
 }
 
 void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
@@ -122,15 +147,15 @@ LegendPlace ChartLegend::placeOf(const LegendItem& item, int room) const {
 
 /// Entries flow in rows; as a table or column each has a row of its own, below the heads if there are any.
 void ChartLegend::arrange() {
-  const bool column = columnWidth_ > 0;
+  const bool column = mostWidth_ > 0;
+  const int rowHeight = QFontMetrics(font()).height() + 2;
   if (column) {
-    setFixedWidth(columnWidth_);
+    setFixedWidth(columnWidth(rowHeight));
   } else {
     setMinimumWidth(0);
     setMaximumWidth(QWIDGETSIZE_MAX);
   }
   const int width = viewport()->width(), room = width - 2 * kBetween;
-  const int rowHeight = QFontMetrics(font()).height() + 2;
   const bool table = !heads_.isEmpty(), ownRow = table || column;
   choosePlaces(room);
   int x = kBetween, y = table ? rowHeight : 0, high = 0;
@@ -154,7 +179,7 @@ void ChartLegend::arrange() {
 }
 
 void ChartLegend::fixSize(int content, int rowHeight) {
-  if (columnWidth_ > 0) {
+  if (mostWidth_ > 0) {
     setMinimumHeight(0);
     setMaximumHeight(QWIDGETSIZE_MAX);
   } else {

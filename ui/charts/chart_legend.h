@@ -22,8 +22,8 @@ class ChartLegend : public QScrollArea {
   void setReadouts(const QStringList& heads, const std::vector<QStringList>& cells);
   /// The most height the legend may take below its plot; beyond it scrolls.
   void setMostHeight(int height);
-  /// Beside the plot instead, as a column of this width; 0: below it.
-  void setColumnWidth(int width);
+  /// Beside the plot instead, as a column as wide as its names and read-outs need, but no wider than this; 0: below it.
+  void setMostWidth(int width);
   [[nodiscard]] const std::vector<LegendItem*>& items() const { return items_; }
   [[nodiscard]] const QStringList& heads() const { return heads_; }
 
@@ -38,6 +38,7 @@ class ChartLegend : public QScrollArea {
  private:
   void arrange();
   void fixSize(int content, int rowHeight);
+  [[nodiscard]] int columnWidth(int rowHeight) const;
   [[nodiscard]] LegendPlace placeOf(const LegendItem& item, int room) const;
   /// What all entries have in common where this many px are there for each.
   void choosePlaces(int room);
@@ -48,7 +49,7 @@ class ChartLegend : public QScrollArea {
   std::vector<LegendItem*> items_;
   QStringList heads_;
   int mostHeight_ = 120;
-  int columnWidth_ = 0;
+  int mostWidth_ = 0;
   bool shortNames_ = false;
   LegendPlace cells_;   ///< of all entries, without lines
   int widestCell_ = 0;  ///< grows while cursors are set, so that columns stay in place

@@ -246,7 +246,7 @@ void ChartPane::resizeEvent(QResizeEvent* event) {
 void ChartPane::placeLegend() {
   const bool beside = height() < kLowPane && width() > kLegendColumns * height();
   content_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
-  legend_->setColumnWidth(beside ? std::clamp(width() * 9 / 20, 120, 260) : 0);
+  legend_->setMostWidth(beside ? std::clamp(width() * 9 / 20, 120, 260) : 0);
   legend_->setMostHeight(static_cast<int>(kLegendShare * height()));
 }
 

@@ -65,7 +65,7 @@ QSize LegendItem::sizeHint() const {
 
 int LegendItem::widthOf(const QString& name) const {
   return kSample + 2 * kPadding +
-         static_cast<int>(std::ceil(QFontMetricsF(font()).horizontalAdvance(name)));
+         static_cast<int>(std::ceil(QFontMetricsF(font()).horizontalAdvance(name))) + 1;
 }
 
 int LegendItem::heightOf(const LegendPlace& place) const {
@@ -75,7 +75,11 @@ int LegendItem::heightOf(const LegendPlace& place) const {
 
 QStringList LegendItem::wrapped(const QString& name, int width) const {
   const int room = width - kSample - 2 * kPadding;
-  QTextLayout layout(name, font());
+  // Names of channels are broken at their dots, if anywhere.
+  constexpr QChar kMayBreak(0x200b);
+  QString breakable = name;
+  breakable.replace(u'.', QString(u'.') + kMayBreak);
+  QTextLayout layout(breakable, font());
   QTextOption option;
   option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
   layout.setTextOption(option);
@@ -83,7 +87,7 @@ QStringList LegendItem::wrapped(const QString& name, int width) const {
   layout.beginLayout();
   for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
     line.setLineWidth(std::max(1, room));
-    lines << name.mid(line.textStart(), line.textLength()).trimmed();
+    lines << breakable.mid(line.textStart(), line.textLength()).remove(kMayBreak).trimmed();
   }
   layout.endLayout();
   return lines;
