@@ -46,18 +46,23 @@ class CubicTable {
       first[axis] = gridInterval(S(*coordinates[axis] * last_[axis]), last_[axis], fraction);
       catmullRom(fraction, weight[axis]);
     }
-    for (S& value : values) value = S(0.0);
+    // Sums of their own, or every addition would wait for the last one to reach the memory.
+    S sum[kGridValues] = {S(0.0), S(0.0), S(0.0), S(0.0)};
     for (std::size_t c = 0; c < 4; ++c) {
       for (std::size_t b = 0; b < 4; ++b) {
         const float* row = &values_[offset(first[0], first[1] + b, first[2] + c)];
         const S both = weight[2][c] * weight[1][b];
-        for (std::size_t a = 0; a < 4; ++a, row += kGridValues) {
-          const S all = both * weight[0][a];
-          for (std::size_t q = 0; q < kGridValues; ++q)
-            values[q] += all * static_cast<double>(row[q]);
+        for (std::size_t q = 0; q < kGridValues; ++q) {
+          const auto value = [&](std::size_t a) {
+            return static_cast<double>(row[a * kGridValues + q]);
+          };
+          const S along = weight[0][0] * value(0) + weight[0][1] * value(1) +
+                          weight[0][2] * value(2) + weight[0][3] * value(3);
+          sum[q] += both * along;
         }
       }
     }
+    for (std::size_t q = 0; q < kGridValues; ++q) values[q] = sum[q];
   }
 
  private:

@@ -67,7 +67,7 @@ class PropellerMap {
   static constexpr double kReferenceRadius = 0.75;  // r/R
   static constexpr double kAxialSine =
       0.05;  // the axial table fades with the side angle over about this sine
-  static constexpr double kFaded = 40;  // beyond exp(-40) there is nothing left of it
+  static constexpr double kFaded = 16;  // beyond it exp(-16) of a small correction is left
 
   template <class S>
   [[nodiscard]] ThrustAndTorqueOf<S> axialLoad(const S& omega, const S& axialSpeed,

@@ -68,6 +68,9 @@ PropellerLoad staticLoadOf(const RotorAerodynamics& aerodynamics, double density
 StaticTable staticTableOf(const RotorAerodynamics& aerodynamics, double density, double topSpeed) {
   RotorParameters rotor;
   rotor.aerodynamics = aerodynamics;
+  // For twenty states it does not pay to make a map.
+  if (const auto* map = std::get_if<MapPropeller>(&aerodynamics))
+    rotor.aerodynamics = BladeElementPropeller{map->propeller, map->settings};
   const RotorConstants c = buildRotor(rotor);
   StaticTable table{2 * rotorRadius(aerodynamics), density, density, {}};
   constexpr int kRows = 20;
