@@ -1,6 +1,7 @@
 #include "ui/measurement/mapping_table.h"
 
 #include <QComboBox>
+#include <QEvent>
 #include <QHeaderView>
 #include <QSignalBlocker>
 #include <algorithm>
