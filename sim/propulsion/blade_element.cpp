@@ -306,7 +306,7 @@ void Describe<BladeElementSettings>::fields(schema::Builder<BladeElementSettings
       .advanced();
   b.integer("azimuths", &S::azimuths, "Directions of a blade", "N_\u03c8")
       .range(schema::atLeast(4), schema::upTo(360))
-      .help("Over which forward flight is averaged.")
+      .help("Over which forward flight is averaged; an odd number counts as the next even one.")
       .advanced();
 }
 

@@ -4,10 +4,12 @@
 // climb, descent, as a windmill and standing still:
 //   R(v) = v - v_momentum(h(v), V),  h = W^2 sigma c_l cos(phi)/(4 F k)
 //   flow at the section: W_a = V + v, W_t = V_t - u, u = (V_t - sqrt(V_t^2 - 4 v W_a))/2
+// The swirl u stays within half the turning, also where the air drives the blade.
 // k: momentum factor (1/sqrt(k) is the induced-power factor), F: Prandtl's tip loss, sigma: solidity.
 // Drag acts on thrust and torque, not on the induction. In the vortex ring state the inflow is
-// empirical, and where stall leaves an annulus several solutions in descent, a mean of them is taken (inflow_root.h). In oblique flow the sections are averaged over the azimuth at one induced velocity per
-// annulus; blades are rigid, and radial flow, dynamic stall and the skew of the inflow are left out.
+// empirical, and where stall leaves an annulus several solutions in descent, a mean of them is taken (inflow_root.h). In oblique flow the
+// sections are averaged over the azimuth at one induced velocity and one swirl per annulus, the swirl going with the share of
+// the turning in the mean square of the tangential speed (ours: QPROP's swirl is one of axial flow); blades are rigid, and radial flow, dynamic stall and the skew of the inflow are left out.
 //   axial:   H. Glauert, Airplane propellers, in Durand IV, 1935; M. Drela, QPROP formulation, 2006;
 //            S. A. Ning, Wind Energy 17, 2014 (bracketing)
 //   oblique: J. G. Leishman, Principles of Helicopter Aerodynamics, 2nd ed., ch. 3

@@ -66,7 +66,7 @@ class PropellerMap {
  private:
   static constexpr double kReferenceRadius = 0.75;  // r/R
   static constexpr double kAxialSine =
-      0.05;  // the axial table fades with the side angle over about this sine
+      0.05;  // of the side angle: about so far the finer axial table corrects the other
   static constexpr double kFaded = 16;  // beyond it exp(-16) of a small correction is left
 
   template <class S>
