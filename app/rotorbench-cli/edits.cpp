@@ -1,9 +1,11 @@
 #include "app/rotorbench-cli/edits.h"
 
 #include <algorithm>
+#include <iostream>
 
 #include "sim/core/schema_tree.h"
 #include "sim/experiment/experiment_file.h"
+#include "sim/experiment/preflight.h"
 
 namespace rotorbench::cli {
 
@@ -23,10 +25,21 @@ void applyEdit(schema::Ref document, const std::string& edit) {
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits) {
   Experiment experiment = loadExperiment(file);
   for (const auto& edit : edits) applyEdit(schema::ref(experiment), edit);
-  auto problems = schema::validate(schema::ref(experiment));
-  std::erase_if(problems, [](const Problem& p) { return p.warning; });
-  if (!problems.empty()) throw InputError(edits.empty() ? file : "--set", problems);
+  const std::string source = edits.empty() ? file : "--set";
+  sayWarnings(source, schema::validate(schema::ref(experiment)));
+  sayWarnings(source, flightWarnings(experiment));
   return experiment;
+}
+
+std::vector<Problem> sayWarnings(const std::string& source, std::vector<Problem> problems) {
+  std::vector<Problem> warnings, errors;
+  for (Problem& problem : problems)
+    (problem.warning ? warnings : errors).push_back(std::move(problem));
+  if (!errors.empty()) throw InputError(source, std::move(errors));
+  for (const Problem& warning : warnings) {
+    std::cerr << source << (source.empty() ? "" : ":") << "warning: " << warning.message() << '\n';
+  }
+  return warnings;
 }
 
 }  // namespace rotorbench::cli

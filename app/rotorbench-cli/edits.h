@@ -1,4 +1,4 @@
-// `--set path=value`, shared by the commands that change an experiment before they use it.
+// `--set path=value`, and what is doubtful of what came of it: shared by the commands that read a document.
 #pragma once
 
 #include <string>
@@ -12,7 +12,10 @@ namespace rotorbench::cli {
 void applyEdit(schema::Ref document, const std::string& edit);
 
 /// The file with the edits applied in order. Throws InputError naming the file or the edit at fault; rules over
-/// several parameters are checked once, after the last edit.
+/// several parameters are checked once, after the last edit. What is only doubtful is said on stderr.
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits);
+
+/// The problems of a document: warnings among them are said on stderr and returned, others thrown as InputError.
+std::vector<Problem> sayWarnings(const std::string& source, std::vector<Problem> problems);
 
 }  // namespace rotorbench::cli

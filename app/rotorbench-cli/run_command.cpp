@@ -10,6 +10,7 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
+#include "sim/experiment/preflight.h"
 #include "sim/experiment/run_files.h"
 #include "sim/experiment/simulation.h"
 #include "sim/io/metrics_output.h"
@@ -66,6 +67,8 @@ void drive(Simulation& simulation) {
 }
 
 int report(const Simulation& simulation) {
+  for (const Verdict& verdict : simulation.verdicts())
+    std::fprintf(stderr, "The run did not go as asked: %s\n", sentence(verdict).c_str());
   if (simulation.failure()) {
     const auto& failure = *simulation.failure();
     std::fprintf(stderr, "The run failed at t = %.6g s: %s: %s\n", failure.time,
@@ -77,7 +80,7 @@ int report(const Simulation& simulation) {
                  simulation.progress().time);
     return kRunFailed;
   }
-  return kOk;
+  return simulation.verdicts().empty() ? kOk : kRunFailed;
 }
 
 int run(const RunOptions& options) {
@@ -94,19 +97,19 @@ int run(const RunOptions& options) {
   drive(*simulation);
   const int code = report(*simulation);
 
-  const MetricTable metrics = simulation->metrics();
+  const RunSummary summary{simulation->metrics(), simulation->verdicts(), preflight(experiment)};
   if (!options.output.empty()) {
     for (const auto& file :
-         writeRunFiles(options.output, experiment, simulation->runs(), metrics)) {
+         writeRunFiles(options.output, experiment, simulation->runs(), summary)) {
       std::cerr << "wrote " << file.string() << '\n';
     }
   }
   if (options.format == "json") {
-    std::cout << metricsJson(experiment.title, metrics);
+    std::cout << metricsJson(experiment.title, summary);
   } else if (options.format == "csv") {
     writeRunsCsv(std::cout, simulation->runs());
   } else {
-    std::cout << metricsText(metrics);
+    std::cout << metricsText(summary.metrics);
   }
   std::cout.flush();
   return std::cout ? code : kRunFailed;

@@ -63,10 +63,11 @@ DataSheet startingSheet(const SizingOptions& options) {
 void dataSheet(const SizingOptions& options) {
   DataSheet sheet = startingSheet(options);
   for (const auto& edit : options.edits) applyEdit(schema::ref(sheet), edit);
-  auto problems = schema::validate(schema::ref(sheet));
-  std::erase_if(problems, [](const Problem& p) { return p.warning; });
-  if (!problems.empty()) throw InputError("--set", problems);
-  print("Data sheet", figuresOf(sheet), options.json);
+  const std::string source = options.edits.empty() ? options.file : "--set";
+  const auto warnings = sayWarnings(source, schema::validate(schema::ref(sheet)));
+  FigureSheet figures = figuresOf(sheet);
+  for (const Problem& warning : warnings) figures.warnings.emplace_back(warning.message());
+  print("Data sheet", figures, options.json);
 }
 
 }  // namespace

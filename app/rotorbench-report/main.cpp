@@ -9,6 +9,7 @@
 
 #include "app/rotorbench-cli/edits.h"
 #include "app/rotorbench-report/window_picture.h"
+#include "sim/experiment/preflight.h"
 #include "sim/experiment/resources.h"
 #include "sim/experiment/run_files.h"
 #include "sim/experiment/simulation.h"
@@ -67,12 +68,12 @@ int fly(const Options& options) {
   const auto simulation = buildSimulation(experiment, fs::path(options.file).parent_path());
   while (simulation->advance(kSlice) == SimulationState::Running) {
   }
-  const MetricTable metrics = simulation->metrics();
-  auto files = writeRunFiles(options.output, experiment, simulation->runs(), metrics);
+  const RunSummary summary{simulation->metrics(), simulation->verdicts(), preflight(experiment)};
+  auto files = writeRunFiles(options.output, experiment, simulation->runs(), summary);
   for (auto& image : writeReportImages(experiment, simulation->runs(), options.output)) {
     files.push_back(std::move(image));
   }
-  std::cout << experiment.title << "\n\n" << metricsText(metrics) << "\nFiles:\n";
+  std::cout << experiment.title << "\n\n" << metricsText(summary.metrics) << "\nFiles:\n";
   for (const auto& file : files)
     std::cout << "  " << fs::absolute(file).lexically_normal().string() << '\n';
   if (simulation->failure()) {
@@ -80,7 +81,9 @@ int fly(const Options& options) {
               << " s: " << simulation->failure()->message << '\n';
     return kRunFailed;
   }
-  return kOk;
+  for (const Verdict& verdict : summary.verdicts)
+    std::cerr << "The run did not go as asked: " << sentence(verdict) << '\n';
+  return summary.verdicts.empty() ? kOk : kRunFailed;
 }
 
 }  // namespace

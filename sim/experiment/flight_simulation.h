@@ -13,6 +13,7 @@
 
 #include "sim/experiment/delayed_commands.h"
 #include "sim/experiment/flight.h"
+#include "sim/experiment/flight_watch.h"
 #include "sim/experiment/simulation_base.h"
 #include "sim/ode/solver.h"
 #include "sim/vehicle/multirotor_outputs.h"
@@ -20,13 +21,14 @@
 namespace rotorbench {
 
 /// A pilot: channels() declares what it adds to each row, row() writes them as of its last action, figures() adds to
-/// the metrics. Asked once a tick, a pilot of motors gives their command() for the time from t on; one of prescribed
+/// the metrics; held() names what it is to hold, watch() gives set-points and values of it as of its last action. Asked once a tick, a pilot of motors gives their command() for the time from t on; one of prescribed
 /// speeds sets them itself for the tick from t to t + h in act(), brings derivative and forces up to date and tells
 /// whether anything jumped.
 template <class P, class Plant>
 concept FlightPilot = requires(const P& c, const Recording& recording, std::vector<Metric>& metrics,
                                double* out) {
   { c.channels() } -> std::same_as<std::vector<Channel>>;
+  { c.held() } -> std::same_as<std::vector<HeldQuantity>>;
   c.row(out);
   c.figures(recording, metrics);
 }
@@ -64,6 +66,7 @@ class FlightSimulation final : public SimulationBase {
         pilot_(std::move(pilot)),
         solver_(flight.solver, plant_),
         y_(plant_.initialState(flight.start)),
+        watch_(pilot_.held()),
         commands_(deadTimes(plant_.constants()), flight.tick),
         every_(ticksPerRow(outputs, flight.tick)),
         ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
@@ -97,6 +100,10 @@ class FlightSimulation final : public SimulationBase {
     figures.metrics.push_back({"end_time", "s", "Simulated time at the end", solver_.time()});
     pilot_.figures(*recording_, figures.metrics);
     addFlightFigures(*recording_, plant_.constants().supply, figures.metrics);
+    for (const Verdict& verdict : verdicts()) {
+      figures.metrics.push_back(
+          {verdict.name, "s", "Time since when: " + verdict.what, verdict.time});
+    }
     figures.metrics.push_back({"steps", "1", "Accepted steps", count(statistics.steps)});
     figures.metrics.push_back({"evaluations", "1", "Evaluations of the equations of motion",
                                count(statistics.evaluations + startEvaluations_)});
@@ -104,6 +111,8 @@ class FlightSimulation final : public SimulationBase {
         {"rejected", "1", "Steps thrown away by the error control", count(statistics.rejected)});
     return {figures};
   }
+
+  [[nodiscard]] std::vector<Verdict> verdicts() const override { return watch_.verdicts(); }
 
  private:
   using Layout = typename PlantType::Layout;
@@ -167,6 +176,10 @@ class FlightSimulation final : public SimulationBase {
       solver_.restart();
       solver_.setStartDerivative(derivative_);
     }
+    pilot_.watch(y_, forces_, [&](const double* wanted, const double* values) {
+      const double qx = y_[Layout::kAttitude + 1], qy = y_[Layout::kAttitude + 2];
+      watch_.see(t, y_[Layout::kPosition + 2], 1 - 2 * (qx * qx + qy * qy), wanted, values);
+    });
     if (done_ % every_ != 0 && done_ < ticks_ && !empty) return true;
     double* out = row_.data();
     *out++ = t;
@@ -185,6 +198,7 @@ class FlightSimulation final : public SimulationBase {
   Pilot pilot_;
   ode::Solver<PlantType> solver_;
   State y_, derivative_;
+  FlightWatch watch_;
   DelayedCommands<kRotors> commands_;
   MultirotorForces<PlantType::kRotors> forces_{};
   std::int64_t every_, ticks_, done_ = 0;

@@ -1,6 +1,7 @@
 #include "sim/experiment/pid_pilot.h"
 
 #include <algorithm>
+#include <numbers>
 
 #include "sim/analysis/step_response.h"
 #include "sim/experiment/flight_simulation.h"
@@ -36,6 +37,13 @@ PidPilot::PidPilot(const PidControl& control, const ControlModel<kRotors>& plann
     : signal_(signalOf(control)),
       rows_(control.setPoints),
       controller_(control.controller, planned, tick) {}
+
+std::vector<HeldQuantity> PidPilot::held() {
+  // Far outside what a step's overshoot or a gust does to a vehicle that flies.
+  constexpr double kHeight = 1;                    // m
+  constexpr double kAngle = std::numbers::pi / 6;  // rad
+  return {{"height", kHeight}, {"roll", kAngle}, {"pitch", kAngle}, {"yaw", kAngle, true}};
+}
 
 std::vector<Channel> PidPilot::channels() const {
   std::vector<Channel> all{{"setpoint.z", "m", "Height wanted"},

@@ -7,6 +7,7 @@
 #include "sim/control/pid_flight.h"
 #include "sim/core/metrics.h"
 #include "sim/core/recording.h"
+#include "sim/experiment/flight_watch.h"
 #include "sim/experiment/pid_control.h"
 #include "sim/sensing/measurement.h"
 
@@ -37,6 +38,16 @@ class PidPilot {
     *out++ = setPoint_.yaw;
     controller_.visitOutputs(
         [&](int, const char*, const char*, const char*, double value) { *out++ = value; });
+  }
+
+  [[nodiscard]] static std::vector<HeldQuantity> held();
+  /// Calls see(set-points, values) in the order of held(), for the plant as of the last command.
+  template <class See>
+  void watch(const Plant::State& y, const MultirotorForces<kRotors>& forces, See&& see) const {
+    const double wanted[] = {setPoint_.height, setPoint_.roll, setPoint_.pitch, setPoint_.yaw};
+    const double values[] = {y[Plant::Layout::kPosition + 2], forces.attitude[0],
+                             forces.attitude[1], forces.attitude[2]};
+    see(wanted, values);
   }
 
   /// Per axis the worst of all its steps: overshoot, settling time, error at rest.

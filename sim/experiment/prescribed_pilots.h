@@ -6,6 +6,7 @@
 
 #include "sim/core/metrics.h"
 #include "sim/core/recording.h"
+#include "sim/experiment/flight_watch.h"
 #include "sim/experiment/prescribed_inputs.h"
 #include "sim/vehicle/multirotor.h"
 
@@ -19,6 +20,11 @@ class SpeedPilot {
   explicit SpeedPilot(InputSignal signal) : signal_(std::move(signal)) {}
 
   [[nodiscard]] static std::vector<Channel> channels() { return {}; }
+  [[nodiscard]] static std::vector<HeldQuantity> held() { return {}; }
+  template <class See>
+  static void watch(const Plant::State& /*y*/, const MultirotorForces<4>& /*forces*/, See&& see) {
+    see(nullptr, nullptr);
+  }
   static void row(double* /*out*/) {}
   static void figures(const Recording& /*recording*/, std::vector<Metric>& /*metrics*/) {}
 
@@ -47,6 +53,11 @@ class VoltagePilot {
   explicit VoltagePilot(InputSignal signal) : signal_(std::move(signal)) {}
 
   [[nodiscard]] static std::vector<Channel> channels() { return {}; }
+  [[nodiscard]] static std::vector<HeldQuantity> held() { return {}; }
+  template <class See>
+  static void watch(const Plant::State& /*y*/, const MultirotorForces<4>& /*forces*/, See&& see) {
+    see(nullptr, nullptr);
+  }
   static void row(double* /*out*/) {}
   static void figures(const Recording& /*recording*/, std::vector<Metric>& /*metrics*/) {}
 

@@ -35,8 +35,7 @@ void prepareRunDirectory(const fs::path& directory) {
 }
 
 std::vector<fs::path> writeRunFiles(const fs::path& directory, const Experiment& experiment,
-                                    const std::vector<RunOutput>& runs,
-                                    const MetricTable& metrics) {
+                                    const std::vector<RunOutput>& runs, const RunSummary& summary) {
   prepareRunDirectory(directory);
   std::vector<fs::path> files;
   const auto writeText = [&](const char* name, const std::string& text) {
@@ -44,8 +43,8 @@ std::vector<fs::path> writeRunFiles(const fs::path& directory, const Experiment&
     files.push_back(directory / name);
   };
   writeText("experiment.json", writeExperiment(experiment));
-  writeText("metrics.json", metricsJson(experiment.title, metrics));
-  writeText("metrics.txt", metricsText(metrics));
+  writeText("metrics.json", metricsJson(experiment.title, summary));
+  writeText("metrics.txt", metricsText(summary.metrics));
   for (const auto& run : runs) {
     const fs::path file = directory / recordingFileName(run.name, runs.size());
     writeFileAtomically(file, [&](std::ostream& out) { writeCsv(out, *run.recording); });

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/core/metrics.h"
+#include "sim/core/run_summary.h"
 #include "sim/experiment/experiment.h"
 #include "sim/experiment/simulation.h"
 
@@ -23,7 +23,7 @@ void prepareRunDirectory(const std::filesystem::path& directory);
 std::vector<std::filesystem::path> writeRunFiles(const std::filesystem::path& directory,
                                                  const Experiment& experiment,
                                                  const std::vector<RunOutput>& runs,
-                                                 const MetricTable& metrics);
+                                                 const RunSummary& summary);
 
 /// All runs as one CSV: as writeCsv() where there is one; else the runs of the compared methods below each other
 /// behind a first column `run` (the reference and diagrams have other channels: writeRunFiles() keeps them).

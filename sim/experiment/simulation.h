@@ -12,6 +12,7 @@
 #include "sim/core/error.h"
 #include "sim/core/metrics.h"
 #include "sim/core/recording.h"
+#include "sim/core/run_summary.h"
 
 namespace rotorbench {
 
@@ -53,6 +54,8 @@ class Simulation {
   [[nodiscard]] virtual const std::optional<RunFailure>& failure() const = 0;
   /// Call from the driving thread; complete once the state is not Running.
   [[nodiscard]] virtual MetricTable metrics() const = 0;
+  /// What the run came to that nobody asked for. From the driving thread, as metrics().
+  [[nodiscard]] virtual std::vector<Verdict> verdicts() const { return {}; }
   [[nodiscard]] virtual double tickSeconds() const = 0;
 };
 

@@ -100,13 +100,13 @@ std::string metricsText(const MetricTable& table) {
   return aligned(grid);
 }
 
-std::string metricsJson(const std::string& experimentTitle, const MetricTable& table) {
+std::string metricsJson(const std::string& experimentTitle, const RunSummary& summary) {
   using Json = nlohmann::ordered_json;
   Json document;
   document["experiment"] = experimentTitle;
   document["metrics"] = Json::array();
   document["units"] = Json::object();
-  for (const auto& row : table) {
+  for (const auto& row : summary.metrics) {
     Json line;
     line["run"] = row.run;
     for (const auto& metric : row.metrics) {
@@ -114,6 +114,16 @@ std::string metricsJson(const std::string& experimentTitle, const MetricTable& t
       document["units"][metric.name] = metric.unit;
     }
     document["metrics"].push_back(std::move(line));
+  }
+  document["verdicts"] = Json::array();
+  for (const auto& verdict : summary.verdicts) {
+    document["verdicts"].push_back(
+        {{"time", verdict.time}, {"name", verdict.name}, {"what", verdict.what}});
+  }
+  document["warnings"] = Json::array();
+  for (const auto& warning : summary.warnings) {
+    document["warnings"].push_back(
+        {{"path", warning.path}, {"what", warning.what}, {"allowed", warning.allowed}});
   }
   return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }

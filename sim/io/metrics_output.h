@@ -3,15 +3,16 @@
 
 #include <string>
 
-#include "sim/core/metrics.h"
+#include "sim/core/run_summary.h"
 
 namespace rotorbench {
 
 /// One row per metric and one column per run where there are few runs, each number with its unit. UTF-8, '\n'.
 std::string metricsText(const MetricTable& table);
 
-/// {"experiment": title, "metrics": [{"run": …, NAME: number, …}], "units": {NAME: unit}}; a figure that does
-/// not exist is null. Numbers have the shortest digits that read back equal.
-std::string metricsJson(const std::string& experimentTitle, const MetricTable& table);
+/// {"experiment": title, "metrics": [{"run": …, NAME: number, …}], "units": {NAME: unit},
+/// "verdicts": [{"time": s, "name": …, "what": …}], "warnings": [{"path": …, "what": …, "allowed": …}]}; a figure that
+/// does not exist is null. Numbers have the shortest digits that read back equal.
+std::string metricsJson(const std::string& experimentTitle, const RunSummary& summary);
 
 }  // namespace rotorbench

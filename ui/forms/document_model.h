@@ -96,6 +96,8 @@ class DocumentModel : public QObject {
 
   /// Rules beyond the schema (a build of the simulation, a component that is not in the library).
   void setExtraValidator(Validator validator);
+  /// Asks all rules again: the extra ones know something new.
+  void recheck() { checkProblems(); }
   /// Everything wrong now: invalid texts first, then the schema's and the extra rules.
   [[nodiscard]] const std::vector<Problem>& problems() const { return problems_; }
   /// True if a problem that is more than a warning blocks a run.

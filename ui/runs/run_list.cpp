@@ -18,7 +18,19 @@ bool sameInputs(const Experiment& a, const Experiment& b) {
   return inputs(a) == inputs(b);
 }
 
-QString runDetail(const RunRecord& record) {
+QStringList verdictTexts(const RunStatus& status) {
+  QStringList texts;
+  for (const Verdict& verdict : status.verdicts) {
+    texts << RunList::tr("%1 at %2 s")
+                 .arg(QString::fromStdString(verdict.what),
+                      QLocale().toString(verdict.time, 'g', 4));
+  }
+  return texts;
+}
+
+namespace {
+
+QString stateDetail(const RunRecord& record) {
   const QLocale locale;
   if (record.measured) {
     return RunList::tr("Measured, %n row(s)", nullptr,
@@ -43,6 +55,15 @@ QString runDetail(const RunRecord& record) {
                                            : RunList::tr("Failed at %1 s").arg(simulated);
   }
   return {};
+}
+
+}  // namespace
+
+QString runDetail(const RunRecord& record) {
+  const QStringList verdicts = verdictTexts(record.status);
+  // The first one leads: the others mostly follow from it.
+  return verdicts.empty() ? stateDetail(record)
+                          : RunList::tr("%1: %2").arg(stateDetail(record), verdicts.first());
 }
 
 RunList::RunList(QObject* parent) : QAbstractListModel(parent) {}
@@ -175,6 +196,7 @@ QVariant RunList::data(const QModelIndex& index, int role) const {
       QStringList lines{
           record.name,
           tr("Started %1").arg(QLocale().toString(record.started, QLocale::ShortFormat)), detail};
+      lines << verdictTexts(record.status).mid(1);
       if (record.status.failure) lines << QString::fromStdString(record.status.failure->message);
       if (!record.note.isEmpty()) lines << record.note;
       return lines.join('\n');

@@ -166,8 +166,10 @@ void RunWorker::enterPause(Simulation& simulation, std::unique_lock<std::mutex>&
     stepped_ = false;
     lock.unlock();
     MetricTable metrics = simulation.metrics();
+    std::vector<Verdict> verdicts = simulation.verdicts();
     lock.lock();
     status_.metrics = std::move(metrics);
+    status_.verdicts = std::move(verdicts);
     status_.secondsLeft.reset();
     status_.state = RunState::Paused;
   }
@@ -208,8 +210,10 @@ void RunWorker::finish(Simulation& simulation) {
   const bool stopped = simulation.state() == SimulationState::Running;
   if (stopped) simulation.stop();
   MetricTable metrics = simulation.metrics();
+  std::vector<Verdict> verdicts = simulation.verdicts();
   const std::lock_guard lock(mutex_);
   status_.metrics = std::move(metrics);
+  status_.verdicts = std::move(verdicts);
   status_.progress = simulation.progress();
   status_.secondsLeft.reset();
   status_.failure = simulation.failure();

@@ -45,7 +45,8 @@ struct RunStatus {
   std::vector<RunOutput> outputs;     ///< empty until the simulation is built
   std::vector<Problem> problems;      ///< why the simulation could not be built
   std::optional<RunFailure> failure;
-  MetricTable metrics;  ///< filled at each pause and at the end
+  MetricTable metrics;            ///< filled at each pause and at the end
+  std::vector<Verdict> verdicts;  ///< likewise
 };
 
 class RunWorker {

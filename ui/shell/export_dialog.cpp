@@ -14,6 +14,7 @@
 #include <QStandardPaths>
 #include <QtConcurrentRun>
 
+#include "sim/experiment/preflight.h"
 #include "sim/experiment/run_files.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/chart_pane.h"
@@ -215,10 +216,11 @@ void ExportDialog::exportRun(int id) {
   const std::filesystem::path folder = QFileInfo(target_->text()).absoluteFilePath().toStdString();
   writing_.setFuture(
       QtConcurrent::run([folder, experiment = record->experiment, runs = record->status.outputs,
-                         metrics = record->status.metrics]() -> QString {
+                         summary = RunSummary{record->status.metrics, record->status.verdicts,
+                                              preflight(record->experiment)}]() -> QString {
         try {
           prepareRunDirectory(folder);
-          writeRunFiles(folder, experiment, runs, metrics);
+          writeRunFiles(folder, experiment, runs, summary);
           return {};
         } catch (const std::exception& error) {
           return QString::fromUtf8(error.what());

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "sim/experiment/preflight.h"
 #include "sim/experiment/scene_model.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/signal_tree.h"
@@ -41,6 +42,7 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
   connect(&model, &DocumentModel::valueChanged, &drawTimer_, qOverload<>(&QTimer::start));
   connect(&model, &DocumentModel::structureChanged, &drawTimer_, qOverload<>(&QTimer::start));
   connect(&documents_, &DocumentController::opened, this, &RunDesk::onDocumentOpened);
+  model.setExtraValidator([this](schema::ConstRef) { return doubts(); });
   connect(&controller_, &RunController::updated, this, &RunDesk::onUpdated);
   connect(&controller_, &RunController::stateChanged, this, &RunDesk::onStateChanged);
   connect(&runs_, &RunList::runsChanged, this, &RunDesk::fillRunSet);
@@ -62,6 +64,10 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
       names << QString::fromStdString(channel.name);
     return names;
   });
+}
+
+RunDesk::~RunDesk() {
+  documents_.model().setExtraValidator({});
 }
 
 bool RunDesk::isPaced(const Experiment& experiment) {
@@ -105,7 +111,7 @@ bool RunDesk::refuse() {
 
 void RunDesk::onDocumentOpened() {
   controller_.stop();
-  documents_.model().setExtraValidator({});
+  rejected_.reset();
   // Runs of another experiment stay in the list but leave the charts.
   for (const RunRecord& record : std::vector(runs_.records())) {
     if (!record.measured) runs_.setVisible(record.id, false);
@@ -137,6 +143,11 @@ void RunDesk::onStateChanged(RunState state) {
 void RunDesk::noteEnd(const RunRecord& record) {
   bench_.log().add(tr("%1: %2.").arg(record.name, runDetail(record)));
   const RunStatus& status = record.status;
+  const QStringList verdicts = verdictTexts(status);
+  // The first one is in the line above.
+  for (const QString& verdict : verdicts.mid(1)) bench_.log().add(verdict);
+  if (!verdicts.empty())
+    emit message(tr("The run did not go as asked: %1.").arg(verdicts.join(", ")));
   if (status.failure) {
     const QString text = QString::fromStdString(status.failure->message);
     const QString part = QString::fromStdString(status.failure->component);
@@ -161,10 +172,14 @@ void RunDesk::noteEnd(const RunRecord& record) {
 
 // What only the build can find blocks the next run until an input changes.
 void RunDesk::reject(const RunRecord& record) {
-  documents_.model().setExtraValidator(
-      [this, experiment = record.experiment, problems = record.status.problems](schema::ConstRef) {
-        return sameInputs(experiment, documents_.experiment()) ? problems : std::vector<Problem>{};
-      });
+  rejected_ = {record.experiment, record.status.problems};
+  documents_.model().recheck();
+}
+
+std::vector<Problem> RunDesk::doubts() const {
+  const Experiment& experiment = documents_.experiment();
+  if (rejected_ && sameInputs(rejected_->experiment, experiment)) return rejected_->problems;
+  return flightWarnings(experiment);
 }
 
 void RunDesk::showRun(int id) {

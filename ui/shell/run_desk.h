@@ -4,6 +4,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 #include "ui/runs/run_controller.h"
 #include "ui/shell/document_controller.h"
@@ -17,6 +18,8 @@ class RunDesk : public QObject {
  public:
   RunDesk(DocumentController& documents, Workbench& bench, RunList& runs, RunController& controller,
           QObject* parent = nullptr);
+
+  ~RunDesk() override;
 
   /// Starts a run, or goes on with a paused one.
   void run();
@@ -39,6 +42,7 @@ class RunDesk : public QObject {
   void onStateChanged(RunState state);
   void noteEnd(const RunRecord& record);
   void reject(const RunRecord& record);
+  [[nodiscard]] std::vector<Problem> doubts() const;
   void showRun(int id);
   void showMetrics(int id);
   void fillRunSet();
@@ -49,6 +53,12 @@ class RunDesk : public QObject {
   Workbench& bench_;
   RunList& runs_;
   RunController& controller_;
+  /// What the last build refused, and why.
+  struct Rejected {
+    Experiment experiment;
+    std::vector<Problem> problems;
+  };
+  std::optional<Rejected> rejected_;
   QTimer drawTimer_;
   Pace pace_;
   int shown_ = 0;            ///< the run in the scene

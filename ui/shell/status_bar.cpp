@@ -6,6 +6,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/runs/run_list.h"
+
 namespace rotorbench {
 
 namespace {
@@ -17,6 +19,17 @@ QString timeLeft(double seconds) {
   if (seconds < 1) return StatusBar::tr("less than 1 s left");
   if (seconds < 100) return StatusBar::tr("%1 s left").arg(locale.toString(seconds, 'f', 0));
   return StatusBar::tr("%1 min left").arg(locale.toString(seconds / 60, 'f', 1));
+}
+
+QString countText(qsizetype errors, qsizetype warnings) {
+  QStringList parts;
+  if (errors > 0)
+    parts << (errors == 1 ? StatusBar::tr("1 problem") : StatusBar::tr("%1 problems").arg(errors));
+  if (warnings > 0) {
+    parts << (warnings == 1 ? StatusBar::tr("1 warning")
+                            : StatusBar::tr("%1 warnings").arg(warnings));
+  }
+  return parts.empty() ? StatusBar::tr("No problems") : parts.join(", ");
 }
 
 QString stateText(const RunStatus& status) {
@@ -67,19 +80,24 @@ StatusBar::StatusBar(QWidget* parent)
 }
 
 void StatusBar::showRun(const RunStatus& status) {
-  run_->setText(stateText(status));
+  const QStringList verdicts = verdictTexts(status);
+  const QString state = stateText(status);
+  run_->setText(verdicts.empty() ? state : tr("%1: %2").arg(state, verdicts.first()));
+  run_->setToolTip(verdicts.join('\n'));
   progress_->setVisible(isActive(status.state));
   progress_->setValue(static_cast<int>(kProgressSteps * status.progress.fraction));
   progress_->setFormat(status.secondsLeft ? timeLeft(*status.secondsLeft) : QString("%p %"));
 }
 
 void StatusBar::showProblems(const std::vector<Problem>& problems) {
-  const auto errors = static_cast<int>(std::ranges::count(problems, false, &Problem::warning));
-  problems_->setText(errors == 0   ? tr("No problems")
-                     : errors == 1 ? tr("1 problem")
-                                   : tr("%1 problems").arg(errors));
-  problems_->setToolTip(problems.empty() ? QString()
-                                         : QString::fromStdString(problems.front().message()));
+  const auto warnings = std::ranges::count(problems, true, &Problem::warning);
+  const auto all = static_cast<qsizetype>(problems.size());
+  problems_->setText(countText(all - warnings, warnings));
+  const auto worst = std::ranges::find(problems, false, &Problem::warning);
+  problems_->setToolTip(problems.empty()
+                            ? QString()
+                            : QString::fromStdString(
+                                  (worst == problems.end() ? problems.front() : *worst).message()));
 }
 
 }  // namespace rotorbench
