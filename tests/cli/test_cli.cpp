@@ -143,6 +143,43 @@ class TestCli : public QObject {
     QCOMPARE(read.out, outcome.out);
   }
 
+  /// A vehicle that cannot lift itself: said before the run, and what it came to after it, by exit code and JSON too.
+  void overloadedVehicle() {
+    const QStringList load{"--set", "setup.vehicle.mass.mass=6.4", "--set", "setup.duration=5"};
+    const QString file = shipped("f450-hover-and-steps");
+    const Outcome run = cli(QStringList{"run", file, "--format", "json"} + load);
+    QCOMPARE(run.code, 1);
+    QVERIFY2(run.err.contains("warning: setup.vehicle.rotors: cannot hold the vehicle in a hover"),
+             run.err.constData());
+    QVERIFY2(run.err.contains("below the ground at "), run.err.constData());
+    const QJsonObject json = QJsonDocument::fromJson(run.out).object();
+    QStringList verdicts, warnings;
+    for (const QJsonValue& v : json["verdicts"].toArray()) verdicts << v["name"].toString();
+    for (const QJsonValue& w : json["warnings"].toArray()) warnings << w["path"].toString();
+    QVERIFY(verdicts.contains("below_ground"));
+    QVERIFY(json["metrics"][0]["below_ground"].toDouble() > 0);
+    QVERIFY(warnings.contains("setup.vehicle.rotors") && warnings.contains("setup.start.rotors"));
+    // Other commands that read the file say it as well, and write nothing of it where their result goes.
+    const Outcome set = cli(QStringList{"set", file, "setup.vehicle.mass.mass=6.4"});
+    QCOMPARE(set.code, 0);
+    QVERIFY(set.err.contains("cannot hold the vehicle"));
+    QVERIFY(QJsonDocument::fromJson(set.out).isObject());
+    const Outcome sound = cli({"run", file, "--set", "setup.duration=0.1"});
+    QCOMPARE(sound.code, 0);
+    QVERIFY2(sound.err.isEmpty(), sound.err.constData());
+  }
+
+  /// Warnings of the schema's own rules reach the terminal too.
+  void warningsOfRules() {
+    const Outcome run = cli({"run", shipped("motor-bench-e305"), "--format", "json", "--set",
+                             "setup.solver.method=rk4", "--set", "setup.solver.step=5 ms", "--set",
+                             "setup.tick=5 ms", "--set", "setup.duration=0.05"});
+    QVERIFY2(run.err.contains("warning: setup.solver.step: "), run.err.constData());
+    const QJsonArray kept = QJsonDocument::fromJson(run.out).object()["warnings"].toArray();
+    QVERIFY2(kept.size() == 1, run.out.constData());
+    QCOMPARE(kept[0]["path"].toString(), QString("setup.solver.step"));
+  }
+
   /// Another model of the propeller, and a second one, by --set; a measured one tells its limits.
   void propellerBenchWithOtherModels() {
     const Outcome measured = cli({"run", shipped("propeller-bench-10x47"), "--set",

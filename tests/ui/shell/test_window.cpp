@@ -78,6 +78,7 @@ class TestWindow : public QObject {
   void cleanup();
   void fromGalleryToExport();
   void invalidValueBlocksRun();
+  void fallingVehicle();
   void closedDuringRun();
   void singleStepFromTheStart();
   void chartEditsAreUndoable();
@@ -200,6 +201,35 @@ void TestWindow::invalidValueBlocksRun() {
   choosePace(window, "As fast as possible");
   clickAction(window, "actionRun");
   QTRY_COMPARE(window.controller().state(), RunState::Finished);
+}
+
+/// A vehicle that cannot lift itself: warned of while it is edited, and the run's end says what it came to.
+void TestWindow::fallingVehicle() {
+  MainWindow window;
+  showWindow(window);
+  openCard(window, kFlagship);
+  auto* count = window.findChild<QToolButton*>("problemCount");
+  QCOMPARE(count->text(), QString("No problems"));
+  typeInto(window, "setup.vehicle.mass.mass", "6.4 kg");
+  typeInto(window, "setup.duration", "5 s");
+  QTRY_COMPARE(count->text(), QString("2 warnings"));
+  auto* list = window.findChild<QTreeWidget*>("problems");
+  QCOMPARE(list->topLevelItemCount(), 2);
+  QVERIFY(list->topLevelItem(0)->text(1).contains("cannot hold the vehicle in a hover"));
+  choosePace(window, "As fast as possible");
+  clickAction(window, "actionRun");
+  QTRY_COMPARE_WITH_TIMEOUT(window.controller().state(), RunState::Finished, 60000);
+  const QString status = window.findChild<QLabel*>("runStatus")->text();
+  QVERIFY2(status.startsWith("Finished: ") && status.contains(" at "), qPrintable(status));
+  const QString detail = window.runs().index(0).data(RunList::DetailRole).toString();
+  QVERIFY2(detail.startsWith("Finished, 5 s"), qPrintable(detail));
+  const QString tip = window.runs().index(0).data(Qt::ToolTipRole).toString();
+  QVERIFY2(tip.contains("below the ground at "), qPrintable(tip));
+  auto* metrics = window.findChild<QTableWidget*>("metricsTable");
+  QVERIFY(!metrics->findItems("below ground", Qt::MatchExactly).empty());
+  // Sound again: the list is empty and the count says so.
+  typeInto(window, "setup.vehicle.mass.mass", "1.4 kg");
+  QTRY_COMPARE(count->text(), QString("No problems"));
 }
 
 void TestWindow::closedDuringRun() {
