@@ -1,5 +1,6 @@
-// The subcommands of rotorbench-cli. Each add…Command declares its options and, when chosen, does its work
-// inside CLI11's parse and leaves its exit code in `code`; wrong input is thrown as InputError.
+// The subcommands of rotorbench-cli. Each add…Command declares its options and, when chosen, does
+// its work inside CLI11's parse and leaves its exit code in `code`; wrong input is thrown as
+// InputError.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
-// `--set path=value`, and what is doubtful of what came of it: shared by the commands that read a document.
+// `--set path=value`, and what is doubtful of what came of it: shared by the commands that read a
+// document.
 #pragma once
 
 #include <string>
@@ -11,11 +12,13 @@ namespace rotorbench::cli {
 /// One path=value applied to a document. Throws InputError naming the edit.
 void applyEdit(schema::Ref document, const std::string& edit);
 
-/// The file with the edits applied in order. Throws InputError naming the file or the edit at fault; rules over
-/// several parameters are checked once, after the last edit. What is only doubtful is said on stderr.
+/// The file with the edits applied in order. Throws InputError naming the file or the edit at
+/// fault; rules over several parameters are checked once, after the last edit. What is only
+/// doubtful is said on stderr.
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits);
 
-/// The problems of a document: warnings among them are said on stderr and returned, others thrown as InputError.
+/// The problems of a document: warnings among them are said on stderr and returned, others thrown
+/// as InputError.
 std::vector<Problem> sayWarnings(const std::string& source, std::vector<Problem> problems);
 
 }  // namespace rotorbench::cli

@@ -1,5 +1,5 @@
-// rotorbench-cli: everything that a button of the window computes, from the same file and without a display.
-// Exit codes: 0 ok, 1 the run failed or was interrupted, 2 the input is wrong.
+// rotorbench-cli: everything that a button of the window computes, from the same file and without a
+// display. Exit codes: 0 ok, 1 the run failed or was interrupted, 2 the input is wrong.
 #include <CLI/CLI.hpp>
 #include <iostream>
 

@@ -33,7 +33,8 @@ void onInterrupt(int /*signal*/) {
   interrupted.store(true);
 }
 
-/// One line on a terminal, rewritten in place at most ten times a second; nothing if stderr is a file or pipe.
+/// One line on a terminal, rewritten in place at most ten times a second; nothing if stderr is a
+/// file or pipe.
 class ProgressLine {
  public:
   void show(const Progress& progress) {

@@ -1,6 +1,6 @@
-// rotorbench-report: flies one experiment without anybody watching and leaves what a person would keep of it:
-// recording, metrics, the charts and the 3D view. Exit codes as rotorbench-cli: 0 ok, 1 the run failed, 2 the
-// input is wrong.
+// rotorbench-report: flies one experiment without anybody watching and leaves what a person would
+// keep of it: recording, metrics, the charts and the 3D view. Exit codes as rotorbench-cli: 0 ok, 1
+// the run failed, 2 the input is wrong.
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QSurfaceFormat>

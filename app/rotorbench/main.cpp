@@ -9,7 +9,8 @@
 
 namespace {
 
-// Qt 3D's shaders need an OpenGL core profile, which must be asked for before the application exists.
+// Qt 3D's shaders need an OpenGL core profile, which must be asked for before the application
+// exists.
 void askForCoreProfile() {
   QSurfaceFormat format = QSurfaceFormat::defaultFormat();
   format.setVersion(3, 3);

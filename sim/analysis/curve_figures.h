@@ -1,5 +1,5 @@
-// Figures read off a recorded curve: extremes, peaks, zeros. Columns are indices of the recording's channels; only
-// published rows are looked at. Values have the channel's unit.
+// Figures read off a recorded curve: extremes, peaks, zeros. Columns are indices of the recording's
+// channels; only published rows are looked at. Values have the channel's unit.
 #pragma once
 
 #include <cstddef>
@@ -21,11 +21,12 @@ struct CurvePeak {
   double x = std::numeric_limits<double>::quiet_NaN();
   double y = std::numeric_limits<double>::quiet_NaN();
 };
-/// By a parabola through the highest point and its two neighbours, x being evenly spaced; none where the highest point
-/// is an end of the curve.
+/// By a parabola through the highest point and its two neighbours, x being evenly spaced; none
+/// where the highest point is an end of the curve.
 CurvePeak peakOf(const Recording& recording, std::size_t x, std::size_t y);
 
-/// The first x at which y falls through zero, by a straight line between two points; NaN where it does not.
+/// The first x at which y falls through zero, by a straight line between two points; NaN where it
+/// does not.
 double fallsThroughZero(const Recording& recording, std::size_t x, std::size_t y);
 
 }  // namespace rotorbench

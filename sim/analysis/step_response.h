@@ -1,5 +1,5 @@
-// Figures of a step response as control engineers read them (Ogata, Modern Control Engineering, section 5.3), from
-// a recorded signal.
+// Figures of a step response as control engineers read them (Ogata, Modern Control Engineering,
+// section 5.3), from a recorded signal.
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,9 @@
 
 namespace rotorbench {
 
-/// The piece of a recorded signal that answers one set-point step: rows [firstRow, endRow) of `channel`, the
-/// set-point going from `before` to `after` at the first row. Units are the channel's.
+/// The piece of a recorded signal that answers one set-point step: rows [firstRow, endRow) of
+/// `channel`, the set-point going from `before` to `after` at the first row. Units are the
+/// channel's.
 struct StepWindow {
   std::size_t channel = 0;
   std::size_t firstRow = 0;
@@ -22,15 +23,16 @@ struct StepWindow {
 /// NaN marks a figure that does not exist (the signal never got there).
 struct StepFigures {
   double riseTime;  ///< s from 10 % to 90 % of the step
-  double
-      overshoot;  ///< largest excess beyond the set-point as a fraction of the step, never negative
-  double
-      settlingTime;  ///< s from the step until the signal stays within 2 % of the step around the set-point
-  double
-      restError;  ///< largest |signal - set-point| in the last tenth of the window, in the channel's unit
+  /// Largest excess beyond the set-point as a fraction of the step, never negative.
+  double overshoot;
+  /// s from the step until the signal stays within 2 % of the step around the set-point.
+  double settlingTime;
+  /// Largest |signal - set-point| in the last tenth of the window, in the channel's unit.
+  double restError;
 };
 
-/// Needs at least two rows and before != after for the relative figures; restError exists with one row.
+/// Needs at least two rows and before != after for the relative figures; restError exists with one
+/// row.
 StepFigures stepFigures(const Recording& recording, const StepWindow& window);
 
 /// The set-point takes a value at a time in s and keeps it until the next change.
@@ -39,8 +41,8 @@ struct SetPointChange {
   double value = 0;
 };
 
-/// The worst of each figure over a timeline of set-points, from the channel's first value on. The settling time is NaN
-/// if one step never settled.
+/// The worst of each figure over a timeline of set-points, from the channel's first value on. The
+/// settling time is NaN if one step never settled.
 StepFigures worstFigures(const Recording& recording, std::size_t channel,
                          const std::vector<SetPointChange>& changes);
 

@@ -33,13 +33,15 @@ typename Allocation<N>::Result Allocation<N>::allocate(const Wrench& demand) con
     return r;
   }
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  // Roll and pitch, made smaller until a common thrust exists that keeps every rotor within its limits.
+  // Roll and pitch, made smaller until a common thrust exists that keeps every rotor within its
+  // limits.
   Thrusts tilt = share_.template middleCols<2>(1) * demand.template segment<2>(1);
   const Thrusts lift = share_.col(0);
   double part = 1;
   for (int i = 0; i < N; ++i) {
     for (int k = 0; k < N; ++k) {
-      // tilt_i + t lift_i >= 0 and tilt_k + t lift_k <= maximum_k leave a t only if this gap is not negative.
+      // tilt_i + t lift_i >= 0 and tilt_k + t lift_k <= maximum_k leave a t only if this gap is not
+      // negative.
       if (lift[i] <= 0 || lift[k] <= 0) continue;
       const double need = tilt[k] / lift[k] - tilt[i] / lift[i];
       const double room = maximum_[k] / lift[k];

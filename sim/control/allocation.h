@@ -1,7 +1,7 @@
-// Shares a demanded thrust and moments among the rotors. Linear in the rotor thrusts; the share of each axis is
-// a column of the pseudo-inverse of the 4 x N effectiveness matrix, so N and the geometry are free.
-// Where rotors are at their limits: roll and pitch come first, then thrust, then yaw
-// (Brescianini, D'Andrea, "Tilt-prioritized quadrocopter attitude control", IEEE TCST 2018).
+// Shares a demanded thrust and moments among the rotors. Linear in the rotor thrusts; the share of
+// each axis is a column of the pseudo-inverse of the 4 x N effectiveness matrix, so N and the
+// geometry are free. Where rotors are at their limits: roll and pitch come first, then thrust, then
+// yaw (Brescianini, D'Andrea, "Tilt-prioritized quadrocopter attitude control", IEEE TCST 2018).
 #pragma once
 
 #include <Eigen/Core>

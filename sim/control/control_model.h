@@ -1,5 +1,5 @@
-// What a controller knows of its vehicle: the plan, without deviations of single arms and motors. SI units,
-// body axes x forward, y left, z up.
+// What a controller knows of its vehicle: the plan, without deviations of single arms and motors.
+// SI units, body axes x forward, y left, z up.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +29,8 @@ struct ControlModel {
 template <int N>
 ControlModel<N> controlModel(const MultirotorConstants<N>& planned);
 
-/// The speed in rad/s a rotor can hold at `voltage` and within the motor's current limit against the drag torque
-/// torqueFactor w^2.
+/// The speed in rad/s a rotor can hold at `voltage` and within the motor's current limit against
+/// the drag torque torqueFactor w^2.
 double topSpeed(const MotorConstants& motor, double torqueFactor, double voltage);
 
 }  // namespace rotorbench

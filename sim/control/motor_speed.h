@@ -1,6 +1,6 @@
-// Speed control of one motor (thesis 2014, figures 4.7-4.9): PID on the rotor speed, feed-forward of the
-// steady voltage, voltage and current limits. The PID demands a rotor acceleration; inertia and torque constant
-// turn it into a voltage, so its gains carry over between motors.
+// Speed control of one motor (thesis 2014, figures 4.7-4.9): PID on the rotor speed, feed-forward
+// of the steady voltage, voltage and current limits. The PID demands a rotor acceleration; inertia
+// and torque constant turn it into a voltage, so its gains carry over between motors.
 #pragma once
 
 #include <algorithm>
@@ -29,8 +29,9 @@ struct MotorSpeedParameters {
 
 class MotorSpeedController {
  public:
-  /// `motor` with the resistance of its speed controller `esc`, which says how the motor may be slowed. `limited`
-  /// false: no limit of voltage, current or demand, as if the drive could do anything.
+  /// `motor` with the resistance of its speed controller `esc`, which says how the motor may be
+  /// slowed. `limited` false: no limit of voltage, current or demand, as if the drive could do
+  /// anything.
   MotorSpeedController(const MotorSpeedParameters& parameters, const MotorConstants& motor,
                        const EscConstants& esc, double rotorInertia, double torqueFactor,
                        bool limited = true)
@@ -42,9 +43,10 @@ class MotorSpeedController {
         feedForward_(parameters.feedForward),
         limited_(limited) {}
 
-  /// Terminal voltage in V for a set-point and measured speed in rad/s and the measured bus voltage in V.
-  /// Within 0..bus, or -bus..bus where the speed controller is reversible, and, as far as these allow, the band around
-  /// K_b w that keeps the current within its limit; not below K_b w where it does not brake.
+  /// Terminal voltage in V for a set-point and measured speed in rad/s and the measured bus voltage
+  /// in V. Within 0..bus, or -bus..bus where the speed controller is reversible, and, as far as
+  /// these allow, the band around K_b w that keeps the current within its limit; not below K_b w
+  /// where it does not brake.
   double update(double setPoint, double speed, double bus) {
     const double acceleration = pid_.propose(setPoint, speed);
     double wanted = voltsPerAcceleration_ * acceleration;
@@ -78,8 +80,8 @@ class MotorSpeedController {
   bool feedForward_, limited_;
 };
 
-/// Warns of delays of a speed controller, described at `path`, that are long beside the period of a controller with
-/// `rate` in Hz.
+/// Warns of delays of a speed controller, described at `path`, that are long beside the period of a
+/// controller with `rate` in Hz.
 void warnOfDelays(const EscParameters& esc, const std::string& path, double rate,
                   std::vector<Problem>& problems);
 

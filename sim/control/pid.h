@@ -1,8 +1,9 @@
-// A discrete PID controller: proportional part with set-point weight, derivative of the measurement through a
-// first-order filter, integral with back-calculation against wind-up.
-//   K. J. Astrom, R. M. Murray, Feedback Systems, ch. 10; Astrom, Hagglund, PID Controllers, 1995, ch. 3.
-// The output is an acceleration demand, so that gains carry over from vehicle to vehicle: the caller multiplies
-// by mass or inertia.
+// A discrete PID controller: proportional part with set-point weight, derivative of the measurement
+// through a first-order filter, integral with back-calculation against wind-up.
+//   K. J. Astrom, R. M. Murray, Feedback Systems, ch. 10; Astrom, Hagglund, PID Controllers, 1995,
+//     ch. 3.
+// The output is an acceleration demand, so that gains carry over from vehicle to vehicle: the
+// caller multiplies by mass or inertia.
 #pragma once
 
 #include <algorithm>
@@ -38,8 +39,8 @@ class Pid {
         tracking_(std::min(1.0, interval / p.trackingTime)),
         limit_(p.limit) {}
 
-  /// The demand for this instant, within the limit; follow with accept(). The first call starts from rest:
-  /// a set-point equal to the first measurement asks for nothing.
+  /// The demand for this instant, within the limit; follow with accept(). The first call starts
+  /// from rest: a set-point equal to the first measurement asks for nothing.
   double propose(double setPoint, double measurement) {
     if (!started_) {
       started_ = true;
@@ -53,7 +54,8 @@ class Pid {
     return std::clamp(raw_, -limit_, limit_);
   }
 
-  /// Ends the instant with the demand that could be carried out; what is missing bleeds the integral.
+  /// Ends the instant with the demand that could be carried out; what is missing bleeds the
+  /// integral.
   void accept(double carriedOut) {
     if (ki_ != 0) integral_ += ki_ * error_ + tracking_ * (carriedOut - raw_);
   }
@@ -66,8 +68,8 @@ class Pid {
   bool started_ = false;
 };
 
-/// Ticks between two updates at `rate` Hz. Throws InputError, naming `path`, unless it is a whole number of at
-/// least one.
+/// Ticks between two updates at `rate` Hz. Throws InputError, naming `path`, unless it is a whole
+/// number of at least one.
 int ticksBetween(double rate, double tick, const std::string& path);
 
 template <>

@@ -1,11 +1,12 @@
-// Controller 1 of the thesis (figures 4.2-4.3): PIDs for altitude, roll, pitch and yaw, allocation to rotor
-// speeds, motor speed controllers. It holds height and attitude and lets the vehicle drift sideways.
-// Altitude: acceleration demand a -> thrust m (g + a)/(cos roll cos pitch). Angles: angular acceleration demand
-// alpha -> moment I alpha. SI units; angles in rad, roll+ moves to -y, pitch+ to +x.
+// Controller 1 of the thesis (figures 4.2-4.3): PIDs for altitude, roll, pitch and yaw, allocation
+// to rotor speeds, motor speed controllers. It holds height and attitude and lets the vehicle drift
+// sideways. Altitude: acceleration demand a -> thrust m (g + a)/(cos roll cos pitch). Angles:
+// angular acceleration demand alpha -> moment I alpha. SI units; angles in rad, roll+ moves to -y,
+// pitch+ to +x.
 //
-// Default gains place the poles of the double integrator angle'' = u with integral action at one real pole -p and
-// a pair (w, zeta): kd = 2 zeta w + p, kp = w^2 + 2 zeta w p, ki = w^2 p; the set-point weight ki/(p kp) cancels
-// the real pole, so that a step answers like the pair alone.
+// Default gains place the poles of the double integrator angle'' = u with integral action at one
+// real pole -p and a pair (w, zeta): kd = 2 zeta w + p, kp = w^2 + 2 zeta w p, ki = w^2 p; the
+// set-point weight ki/(p kp) cancels the real pole, so that a step answers like the pair alone.
 #pragma once
 
 #include <Eigen/Core>
@@ -78,7 +79,8 @@ class PidFlightController {
   PidFlightController(const PidFlightParameters& parameters, const ControlModel<N>& model,
                       double tick);
 
-  /// Motor duties for this tick, -1..1 where a speed controller is reversible, else 0..1. Loops slower than the tick keep their last outputs.
+  /// Motor duties for this tick, -1..1 where a speed controller is reversible, else 0..1. Loops
+  /// slower than the tick keep their last outputs.
   const Duties& update(const Measurement<N>& measured, const FlightSetPoint& setPoint);
 
   [[nodiscard]] const Duties& rotorSpeedSetPoints() const { return speeds_; }
@@ -86,7 +88,8 @@ class PidFlightController {
   /// Some rotor thrust is at its limit and part of the demand is dropped.
   [[nodiscard]] bool limited() const { return limited_; }
 
-  /// Calls visit(rotor, name, unit, description, value) for each recorded quantity; rotor 0 is the vehicle.
+  /// Calls visit(rotor, name, unit, description, value) for each recorded quantity; rotor 0 is the
+  /// vehicle.
   template <class Visit>
   void visitOutputs(Visit&& visit) const {
     visit(0, "control.thrust", "N", "Total thrust demanded", wrench_[0]);

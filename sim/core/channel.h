@@ -1,5 +1,5 @@
-// A channel is declared where it is computed; recording, signal tree, charts, CSV headers and metrics all
-// follow from that declaration.
+// A channel is declared where it is computed; recording, signal tree, charts, CSV headers and
+// metrics all follow from that declaration.
 #pragma once
 
 #include <string>

@@ -7,8 +7,8 @@
 
 namespace rotorbench {
 
-/// One figure. Names are snake_case ("max_error_norm", "roll_overshoot"); a value may be NaN where a figure
-/// does not exist for that run (printed as "-" or null).
+/// One figure. Names are snake_case ("max_error_norm", "roll_overshoot"); a value may be NaN where
+/// a figure does not exist for that run (printed as "-" or null).
 struct Metric {
   std::string name;
   std::string unit;  ///< SI symbol, "1" for plain numbers

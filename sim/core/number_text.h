@@ -28,7 +28,8 @@ std::string excerpt(std::string_view text, std::size_t most = 60);
 /// The excerpt in double quotes.
 std::string inQuotes(std::string_view text);
 
-/// For a person: `digits` significant digits, C locale, no trailing zeros; "–" for NaN, the sign of infinity.
+/// For a person: `digits` significant digits, C locale, no trailing zeros; "–" for NaN, the sign of
+/// infinity.
 std::string shortNumber(double value, int digits);
 
 }  // namespace rotorbench

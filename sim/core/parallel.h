@@ -1,4 +1,5 @@
-// The same work on many items, spread over the processors. The results do not depend on how many there are.
+// The same work on many items, spread over the processors. The results do not depend on how many
+// there are.
 #pragma once
 
 #include <algorithm>
@@ -9,8 +10,8 @@
 
 namespace rotorbench {
 
-/// {work(0), ..., work(count - 1)}; `work` is called from several threads at once. Throws what the first failed call
-/// threw. The result type needs a default constructor.
+/// {work(0), ..., work(count - 1)}; `work` is called from several threads at once. Throws what the
+/// first failed call threw. The result type needs a default constructor.
 template <class Work>
 auto inParallel(std::size_t count, const Work& work) {
   std::vector<decltype(work(std::size_t{}))> results(count);

@@ -19,8 +19,9 @@ constexpr std::size_t kPad = 8;
 constexpr std::size_t kLastRoom = 64;
 constexpr std::size_t kLargestStride = std::size_t{1} << 62;
 
-/// Chunks lie side by side in slabs of this many, large enough for huge pages: a fault and the clearing of 4 KiB at a
-/// time would cost a quarter of a flight. Pages of a slab become memory chunk by chunk.
+/// Chunks lie side by side in slabs of this many, large enough for huge pages: a fault and the
+/// clearing of 4 KiB at a time would cost a quarter of a flight. Pages of a slab become memory
+/// chunk by chunk.
 constexpr std::size_t kSlabChunks = 8;
 constexpr std::size_t kPage = 4096;
 constexpr std::size_t kHugePage = std::size_t{2} << 20;
@@ -35,8 +36,8 @@ double* newSlab(std::size_t bytes) {
   return static_cast<double*>(memory);
 }
 
-/// Asks the kernel for the pages of a chunk in one go, cheaper than one fault per page inside the run; where it cannot,
-/// they come as they are touched.
+/// Asks the kernel for the pages of a chunk in one go, cheaper than one fault per page inside the
+/// run; where it cannot, they come as they are touched.
 void populate([[maybe_unused]] double* chunk, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_POPULATE_WRITE
   const std::size_t before = reinterpret_cast<std::uintptr_t>(chunk) % kPage;

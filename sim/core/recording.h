@@ -1,9 +1,10 @@
-// What a run leaves behind: columns of doubles that grow row by row. One writer; any number of readers
-// without locks, who see the rows published so far and never a row in the making.
+// What a run leaves behind: columns of doubles that grow row by row. One writer; any number of
+// readers without locks, who see the rows published so far and never a row in the making.
 //
-// Storage: chunks of kChunkRows rows, one padded column per channel inside a chunk (the pad keeps columns off
-// the same cache set); chunks never move, so a reader may keep pointers into published rows. Rows are collected in
-// groups of kGroupRows and written column by column, a whole cache line of each at a time.
+// Storage: chunks of kChunkRows rows, one padded column per channel inside a chunk (the pad keeps
+// columns off the same cache set); chunks never move, so a reader may keep pointers into published
+// rows. Rows are collected in groups of kGroupRows and written column by column, a whole cache line
+// of each at a time.
 #pragma once
 
 #include <atomic>
@@ -44,8 +45,8 @@ class Recording {
   Recording& operator=(const Recording&) = delete;
 
   // Writer side (one thread).
-  /// Adds one row (as many values as channels) without publishing it. False if the bound is reached and rows
-  /// are not thinned. No heap use but for a new chunk every kChunkRows rows.
+  /// Adds one row (as many values as channels) without publishing it. False if the bound is reached
+  /// and rows are not thinned. No heap use but for a new chunk every kChunkRows rows.
   bool append(std::span<const double> row);
   /// Makes all appended rows visible to readers.
   void publish();
@@ -60,12 +61,13 @@ class Recording {
   [[nodiscard]] bool finished() const { return finished_.load(std::memory_order_acquire); }
   /// Precondition: channel < channels().size(), row < rows().
   [[nodiscard]] double value(std::size_t channel, std::size_t row) const;
-  /// Published values of a channel from `row` to the end of its chunk (or of the published rows). Loop:
-  /// for (row = a; row < b; row += piece.size()) piece = column(c, row).
+  /// Published values of a channel from `row` to the end of its chunk (or of the published rows).
+  /// Loop: for (row = a; row < b; row += piece.size()) piece = column(c, row).
   [[nodiscard]] std::span<const double> column(std::size_t channel, std::size_t row) const;
   /// First row in [0, rows()) whose abscissa is not less than t, else rows(). Binary search.
   [[nodiscard]] std::size_t lowerBound(double t) const;
-  /// Value of a channel at abscissa t: the last sample not after t (the first one before the start).
+  /// Value of a channel at abscissa t: the last sample not after t (the first one before the
+  /// start).
   [[nodiscard]] double sampleAt(std::size_t channel, double t) const;
   /// Kept rows per offered row at the end: 1 where nothing was thinned, 2 for every second, ...
   [[nodiscard]] std::size_t stride() const { return stride_.load(std::memory_order_acquire); }

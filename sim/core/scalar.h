@@ -1,5 +1,5 @@
-// The plain number behind a scalar: physics is written over any scalar (double, automatic differentiation), and tables
-// need a number to find their cell.
+// The plain number behind a scalar: physics is written over any scalar (double, automatic
+// differentiation), and tables need a number to find their cell.
 #pragma once
 
 namespace rotorbench {

@@ -1,9 +1,10 @@
 // The one description of every parameter. A parameter struct has plain members and, next to it, a
-// specialisation of Describe<T> that names each member once: key, label, symbol, unit, display unit,
-// range, help, source. Reading and writing files, JSON Schema, forms, `--set path=value`, sweeps and
-// the help tables are all made from that description; nothing else lists parameters.
+// specialisation of Describe<T> that names each member once: key, label, symbol, unit, display
+// unit, range, help, source. Reading and writing files, JSON Schema, forms, `--set path=value`,
+// sweeps and the help tables are all made from that description; nothing else lists parameters.
 //
-//   struct MotorParameters { double resistance = 0.117; ... bool operator==(...) const = default; };
+//   struct MotorParameters { double resistance = 0.117; ... bool operator==(...) const = default;
+//     };
 //   template <> struct Describe<MotorParameters> {
 //     static void fields(schema::Builder<MotorParameters>& b) {
 //       b.title("motor", "Motor", "A direct-current machine ...");
@@ -12,8 +13,9 @@
 //     }
 //   };
 //
-// Paths: members joined by dots, list elements by index: "vehicle.rotors[2].motor.resistance". The chosen
-// alternative of a variant is transparent ("controller.roll.kp"); its name is "controller.type".
+// Paths: members joined by dots, list elements by index: "vehicle.rotors[2].motor.resistance". The
+// chosen alternative of a variant is transparent ("controller.roll.kp"); its name is
+// "controller.type".
 #pragma once
 
 #include <cstdint>
@@ -32,7 +34,8 @@ namespace rotorbench::schema {
 
 enum class Kind { Number, Integer, Boolean, Text, Choice, Vector, Group, Variant, List };
 
-/// The value of one leaf parameter, SI units. Choice and the "type" of a variant are their key text.
+/// The value of one leaf parameter, SI units. Choice and the "type" of a variant are their key
+/// text.
 using Value = std::variant<bool, std::int64_t, double, std::string, std::vector<double>>;
 
 /// Allowed numbers; an open end excludes the bound itself. NaN and infinity are never allowed.
@@ -73,8 +76,8 @@ class Type;
 /// What a string holds, so that an editor can offer the right tool.
 enum class TextRole { Line, Paragraph, FilePath, Channels };
 
-/// One described member. Access functions take the address of the owning struct; which of them are set
-/// depends on the kind.
+/// One described member. Access functions take the address of the owning struct; which of them are
+/// set depends on the kind.
 struct Field {
   std::string key, label, symbol, help, source;
   Kind kind = Kind::Number;
@@ -92,7 +95,8 @@ struct Field {
 
   /// Number, Integer, Boolean, Text, Choice, Vector.
   std::function<Value(const void* owner)> read;
-  /// Takes a value of the right alternative (Integer also for Number); the range is not checked here.
+  /// Takes a value of the right alternative (Integer also for Number); the range is not checked
+  /// here.
   std::function<void(void* owner, const Value&)> write;
 
   /// Group: the nested struct. Variant: the chosen alternative. List: element `index`.

@@ -1,4 +1,5 @@
-// How a Describe<T> names its members: the fluent builder behind schema.h. Include schema.h, not this.
+// How a Describe<T> names its members: the fluent builder behind schema.h. Include schema.h, not
+// this.
 #pragma once
 
 #include <Eigen/Core>
@@ -207,8 +208,8 @@ class Builder {
     return FieldBuilder(f);
   }
 
-  /// A rule over several members: `rule(object, problems)` appends a Problem whose path is relative to the
-  /// struct ("inertia.xx").
+  /// A rule over several members: `rule(object, problems)` appends a Problem whose path is relative
+  /// to the struct ("inertia.xx").
   void check(std::function<void(const T&, std::vector<Problem>&)> rule) {
     type_.checks.push_back([rule = std::move(rule)](const void* o, std::vector<Problem>& problems) {
       rule(self(o), problems);

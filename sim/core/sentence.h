@@ -1,5 +1,6 @@
-// A sentence with figures in it: words and numbers kept apart until somebody reads it, so that a window writes the numbers
-// as the rest of it does (decimal comma) and the command line with points.
+// A sentence with figures in it: words and numbers kept apart until somebody reads it, so that a
+// window writes the numbers as the rest of it does (decimal comma) and the command line with
+// points.
 #pragma once
 
 #include <functional>

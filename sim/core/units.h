@@ -16,16 +16,16 @@ struct Unit {
   double factor;
 };
 
-/// value * factor and back. Where 1 / factor is a whole number (mm, g, deg is not) the division is exact to the
-/// last bit: 117 mOhm is the double 0.117.
+/// value * factor and back. Where 1 / factor is a whole number (mm, g, deg is not) the division is
+/// exact to the last bit: 117 mOhm is the double 0.117.
 double toSi(double value, double factor);
 double fromSi(double value, double factor);
 
 /// The unit written `symbol`, or null. Common spellings ("Ohm", "Ω", "N m", "N*m") are accepted.
 const Unit* findUnit(std::string_view symbol);
 
-/// The one spelling of a unit: "N*m" for "N·m", "N m" and "Nm"; "kg*m^2" for "kg m²". Unknown units keep their
-/// name, with the same signs for product and power.
+/// The one spelling of a unit: "N*m" for "N·m", "N m" and "Nm"; "kg*m^2" for "kg m²". Unknown units
+/// keep their name, with the same signs for product and power.
 std::string canonicalUnit(std::string_view symbol);
 
 /// True if both convert into each other; a unit not in the table converts only to itself.
@@ -46,9 +46,10 @@ struct ParsedQuantity {
   std::string error;            ///< one sentence, if there is no value
 };
 
-/// Reads "9.45 in", "0,25", "3*2", "960 rpm/V" or "1e-3" as a value in `unit`. Text without a unit is
-/// taken to be in `defaultUnit`. Both decimal separators are understood; + - * / and parentheses too. A unit
-/// is written once and belongs to the whole: "1/2 in", "9.45 in / 2". The error reads "what; what is allowed".
+/// Reads "9.45 in", "0,25", "3*2", "960 rpm/V" or "1e-3" as a value in `unit`. Text without a unit
+/// is taken to be in `defaultUnit`. Both decimal separators are understood; + - * / and parentheses
+/// too. A unit is written once and belongs to the whole: "1/2 in", "9.45 in / 2". The error reads
+/// "what; what is allowed".
 ParsedQuantity parseQuantity(std::string_view text, std::string_view unit,
                              std::string_view defaultUnit);
 

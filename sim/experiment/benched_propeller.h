@@ -1,5 +1,5 @@
-// A propeller of the bench made ready: the loads of any rotor model in an axial and an edgewise stream, and where the
-// model has something to say. Axial speed positive in climb; SI units.
+// A propeller of the bench made ready: the loads of any rotor model in an axial and an edgewise
+// stream, and where the model has something to say. Axial speed positive in climb; SI units.
 #pragma once
 
 #include <memory>
@@ -20,8 +20,8 @@ class BenchedPropeller {
   /// The propeller must satisfy its schema. A map takes the time to be built, unless it was before.
   explicit BenchedPropeller(const RotorAerodynamics& propeller);
 
-  /// Loads at speed omega, rad/s, in an axial stream, m/s. `memory` and `distribution` are for blade elements, others
-  /// leave them alone; the share of the vortex ring is theirs too.
+  /// Loads at speed omega, rad/s, in an axial stream, m/s. `memory` and `distribution` are for
+  /// blade elements, others leave them alone; the share of the vortex ring is theirs too.
   [[nodiscard]] AxialLoad axial(double omega, double axialSpeed, const AirState& air,
                                 InflowMemory* memory = nullptr,
                                 std::span<ElementLoad> distribution = {}) const;

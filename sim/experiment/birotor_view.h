@@ -1,4 +1,5 @@
-// How the two birotors appear in recordings: their channels, declared where they are computed. Inertial y-z plane, z up, SI.
+// How the two birotors appear in recordings: their channels, declared where they are computed.
+// Inertial y-z plane, z up, SI.
 #pragma once
 
 #include <cmath>
@@ -21,7 +22,8 @@ template <>
 struct BirotorView<RigidBarBirotor> {
   static std::vector<Channel> channels();
   void row(const RigidBarBirotor& plant, const RigidBarBirotor::State& y, double* out);
-  /// How fast the bar turns at time t, and how fast it would with each damping law: what the choice between them changes.
+  /// How fast the bar turns at time t, and how fast it would with each damping law: what the choice
+  /// between them changes.
   static std::vector<Metric> endMetrics(const RigidBarBirotor& plant, double t,
                                         const RigidBarBirotor::State& y);
 };

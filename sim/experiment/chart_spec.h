@@ -1,5 +1,5 @@
-// What one chart of an experiment shows, as kept in the experiment file. Channel patterns are names in which
-// each * stands for any text without a dot: "rotor*.thrust".
+// What one chart of an experiment shows, as kept in the experiment file. Channel patterns are names
+// in which each * stands for any text without a dot: "rotor*.thrust".
 #pragma once
 
 #include <string>
@@ -8,8 +8,9 @@
 
 namespace rotorbench {
 
-/// Time: channels over the abscissa of the recording. XY: channels over the channel `x`; where both hold a *,
-/// x and y pair up by the text it stands for ("*.evaluations" and "*.max_error_norm": one curve per method).
+/// Time: channels over the abscissa of the recording. XY: channels over the channel `x`; where both
+/// hold a *, x and y pair up by the text it stands for ("*.evaluations" and "*.max_error_norm": one
+/// curve per method).
 enum class ChartKind { Time, XY };
 
 struct ChartSpec {

@@ -1,5 +1,6 @@
-// One method's part in a solver comparison: it runs over the problem, its error against the reference is recorded and
-// its cost counted. Used for the recorded runs, for the timing pass and for each point of the work-precision diagram.
+// One method's part in a solver comparison: it runs over the problem, its error against the
+// reference is recorded and its cost counted. Used for the recorded runs, for the timing pass and
+// for each point of the work-precision diagram.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 
 namespace rotorbench {
 
-/// The settings a method runs with in a comparison. `refinement` divides the step of a fixed-step method and
-/// `tolerance` multiplies the tolerances of an embedded one.
+/// The settings a method runs with in a comparison. `refinement` divides the step of a fixed-step
+/// method and `tolerance` multiplies the tolerances of an embedded one.
 ode::SolverSettings comparedSettings(const SolverComparison& comparison, ode::Method method,
                                      double refinement = 1, double toleranceFactor = 1);
 
@@ -35,8 +36,9 @@ class ComparedRun {
         solver_(settings, plant),
         y_(plant.initialState()) {}
 
-  /// Sampled mode: on to the next sample instant. Free mode: on by about `kFreeSlice` tried steps. Failed too where the
-  /// whole run takes more steps than the settings' budget: with a hopeless tolerance it would never end.
+  /// Sampled mode: on to the next sample instant. Free mode: on by about `kFreeSlice` tried steps.
+  /// Failed too where the whole run takes more steps than the settings' budget: with a hopeless
+  /// tolerance it would never end.
   ode::Status advance(Reference* reference, const Observer& observer) {
     const ode::Status status = mode_ == DrivingMode::Free ? advanceFreely(reference, observer)
                                                           : advanceToSample(reference, observer);

@@ -1,5 +1,5 @@
-// Commands on their way to the speed controllers of an experiment, and the course of a tick in which some of them begin
-// to act. Times in s.
+// Commands on their way to the speed controllers of an experiment, and the course of a tick in
+// which some of them begin to act. Times in s.
 #pragma once
 
 #include <Eigen/Core>
@@ -59,7 +59,8 @@ class DelayedCommands {
   double slack_;
 };
 
-/// Brings `y` to `end`, stopping at each instant between at which a command begins to act: act(time) takes it over.
+/// Brings `y` to `end`, stopping at each instant between at which a command begins to act:
+/// act(time) takes it over.
 template <class Solver, class State, int N, class Act>
 ode::Status advanceWithCommands(Solver& solver, State& y, const DelayedCommands<N>& commands,
                                 double end, double tick, Act&& act) {

@@ -1,6 +1,6 @@
-// One drive on a stand in time: once a tick the commander (a throttle laid down in advance, or a speed controller) sets
-// the throttle, the solver brings the drive exactly to the next tick and to each instant between at which a command
-// that had to wait begins to act.
+// One drive on a stand in time: once a tick the commander (a throttle laid down in advance, or a
+// speed controller) sets the throttle, the solver brings the drive exactly to the next tick and to
+// each instant between at which a command that had to wait begins to act.
 #pragma once
 
 #include <algorithm>
@@ -19,8 +19,9 @@
 
 namespace rotorbench {
 
-/// throttle() is asked once a tick; channels() and row() add to what the stand records; figures() reads the recording.
-/// A commander that has reached(t, train, y) is shown every tick's end before the next command acts.
+/// throttle() is asked once a tick; channels() and row() add to what the stand records; figures()
+/// reads the recording. A commander that has reached(t, train, y) is shown every tick's end before
+/// the next command acts.
 template <class C>
 concept DriveCommander = requires(C& c, const C& k, double t, const DriveTrain& train,
                                   const DriveTrain::State& y, double* out, const Recording& r,

@@ -1,5 +1,5 @@
-// An experiment with a drive on a stand: one run in time, or several side by side that differ in one respect. Kinds
-// derive from it to add their curves.
+// An experiment with a drive on a stand: one run in time, or several side by side that differ in
+// one respect. Kinds derive from it to add their curves.
 #pragma once
 
 #include <algorithm>

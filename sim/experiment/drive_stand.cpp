@@ -33,7 +33,8 @@ struct LoadOf {
     ShaftLoad load;
     load.quadratic = load.thrust = {topSpeed / points, {}};
     for (int k = 0; k <= points; ++k) {
-      // At rest the coefficients are those of the slowest turning, which is a limit and no division by zero.
+      // At rest the coefficients are those of the slowest turning, which is a limit and no division
+      // by zero.
       const double w = topSpeed * std::max(k, 1) / points;
       const AxialLoad at = rotor.axial(w, 0, air);
       load.quadratic.values.push_back(at.torque / (w * w));
@@ -113,7 +114,8 @@ void checkDriveMethod(const ode::SolverSettings& solver, std::vector<Problem>& p
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
                         std::vector<Problem>& problems) {
   if (!(stabilityLimit(solver.method) > 0)) return;
-  // Rules are asked of documents with faults too, and nothing can be built of a stand that has some.
+  // Rules are asked of documents with faults too, and nothing can be built of a stand that has
+  // some.
   const auto faults = schema::validate(schema::ref(stand));
   if (std::ranges::any_of(faults, [](const Problem& p) { return !p.warning; })) return;
   // The motor makes the fast pole; the propeller's share of it changes little between few points.

@@ -1,5 +1,5 @@
-// What the experiments with a single motor share: supply, speed controller, motor and load as the user describes them,
-// the plant built from that, and the channels it is recorded in.
+// What the experiments with a single motor share: supply, speed controller, motor and load as the
+// user describes them, the plant built from that, and the channels it is recorded in.
 #pragma once
 
 #include <variant>
@@ -59,20 +59,22 @@ struct DriveRunSettings {
 };
 
 DriveTrain buildDriveTrain(const DriveStand& stand);
-/// The same drive without saturation: an ideal supply of the voltage the real one has at first, any duty, any current.
+/// The same drive without saturation: an ideal supply of the voltage the real one has at first, any
+/// duty, any current.
 DriveTrain buildUnlimitedDriveTrain(const DriveStand& stand);
 
 /// Time in s and everything that can be read on the stand.
 std::vector<Channel> driveChannels();
-/// The row that belongs to the channels; `asked` is the throttle commanded, which a dead time may still hold back.
+/// The row that belongs to the channels; `asked` is the throttle commanded, which a dead time may
+/// still hold back.
 void driveRow(const DriveTrain& train, double time, double asked, const DriveTrain::State& y,
               double* out);
 
 /// Refuses, at "solver.method", the method that is no use on a stand.
 void checkDriveMethod(const ode::SolverSettings& solver, std::vector<Problem>& problems);
 
-/// Warns, naming pole, method and largest stable step, where a fixed step cannot be stable. The experiment holds its
-/// DriveRunSettings as "run". Says nothing of a stand with faults.
+/// Warns, naming pole, method and largest stable step, where a fixed step cannot be stable. The
+/// experiment holds its DriveRunSettings as "run". Says nothing of a stand with faults.
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,
                         std::vector<Problem>& problems);
 

@@ -1,6 +1,6 @@
-// The whole question a user asks, as one plain value: what is saved is what is run. Undo keeps old values of
-// it, a recording carries the one it was made from. Kinds of experiment are the alternatives of `setup`; each
-// has its own header with its parameters and its own builder.
+// The whole question a user asks, as one plain value: what is saved is what is run. Undo keeps old
+// values of it, a recording carries the one it was made from. Kinds of experiment are the
+// alternatives of `setup`; each has its own header with its parameters and its own builder.
 #pragma once
 
 #include <cstdint>

@@ -55,9 +55,9 @@ std::vector<DescribedRotor> describedRotors(const VehicleParameters& vehicle) {
   return rotors;
 }
 
-/// Warns where a fixed step cannot be stable beside the fastest pole of motors and supply. All motors at full duty feel
-/// the supply's resistance together. The exponential method solves motors and lags exactly, but not what couples
-/// the motors.
+/// Warns where a fixed step cannot be stable beside the fastest pole of motors and supply. All
+/// motors at full duty feel the supply's resistance together. The exponential method solves motors
+/// and lags exactly, but not what couples the motors.
 void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
   const std::vector<DescribedRotor> rotors = describedRotors(flight.vehicle);
   const Supply supply(flight.vehicle.supply);
@@ -85,7 +85,8 @@ void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
                   flight.tick, problems);
 }
 
-/// Rules are asked of documents with faults too, and nothing can be built of a vehicle that has some.
+/// Rules are asked of documents with faults too, and nothing can be built of a vehicle that has
+/// some.
 bool isSound(const VehicleParameters& vehicle) {
   return std::ranges::all_of(schema::validate(schema::ref(vehicle)),
                              [](const Problem& p) { return p.warning; });
@@ -100,7 +101,8 @@ std::unique_ptr<Simulation> buildFlight(const Flight& flight, const OutputSettin
     return std::visit(FlightBuilder{flight, outputs, directory}, flight.control);
   } catch (const InputError& error) {
     if (error.source() != "vehicle") throw;
-    // What the vehicle's rooms refuse is named from the root of the document, so that the window can jump there.
+    // What the vehicle's rooms refuse is named from the root of the document, so that the window
+    // can jump there.
     auto problems = error.problems();
     for (Problem& problem : problems) {
       problem.path = problem.path.empty() ? "setup.vehicle" : "setup.vehicle." + problem.path;

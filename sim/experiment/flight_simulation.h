@@ -1,7 +1,8 @@
-// The hybrid simulation of a flight. Once a tick the pilot (a controller, or inputs laid down in advance) reads the
-// plant and sets its command; the solver then brings the plant exactly to the next tick, and to each instant between at
-// which a command that had to wait for a dead time begins to act. The order of a tick at time
-// t: derivative and forces, act on them, record, advance to t + h. The derivative is the first stage of the step.
+// The hybrid simulation of a flight. Once a tick the pilot (a controller, or inputs laid down in
+// advance) reads the plant and sets its command; the solver then brings the plant exactly to the
+// next tick, and to each instant between at which a command that had to wait for a dead time begins
+// to act. The order of a tick at time t: derivative and forces, act on them, record, advance to t +
+// h. The derivative is the first stage of the step.
 #pragma once
 
 #include <array>
@@ -20,10 +21,11 @@
 
 namespace rotorbench {
 
-/// A pilot: channels() declares what it adds to each row, row() writes them as of its last action, figures() adds to
-/// the metrics; held() names what it is to hold, watch() gives set-points and values of it as of its last action. Asked once a tick, a pilot of motors gives their command() for the time from t on; one of prescribed
-/// speeds sets them itself for the tick from t to t + h in act(), brings derivative and forces up to date and tells
-/// whether anything jumped.
+/// A pilot: channels() declares what it adds to each row, row() writes them as of its last action,
+/// figures() adds to the metrics; held() names what it is to hold, watch() gives set-points and
+/// values of it as of its last action. Asked once a tick, a pilot of motors gives their command()
+/// for the time from t on; one of prescribed speeds sets them itself for the tick from t to t + h
+/// in act(), brings derivative and forces up to date and tells whether anything jumped.
 template <class P, class Plant>
 concept FlightPilot = requires(const P& c, const Recording& recording, std::vector<Metric>& metrics,
                                double* out) {

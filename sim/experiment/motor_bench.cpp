@@ -81,7 +81,8 @@ class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {
     return {{"Run", buildDriveTrain(bench.stand), ThrottleCommander(bench)}};
   }
 
-  /// Thesis 2014, figures 3.16-3.17: torque, power and efficiency against speed at the full voltage.
+  /// Thesis 2014, figures 3.16-3.17: torque, power and efficiency against speed at the full
+  /// voltage.
   void overSpeed(const OutputSettings& outputs) {
     Recording& r = addRun("Over speed",
                           {{"over_speed.speed", "rad/s", "Angular speed, held by a brake"},

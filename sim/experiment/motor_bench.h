@@ -1,5 +1,6 @@
-// Motor bench and thrust stand: a drive with its throttle laid down over time, and beside the run in time the motor's
-// characteristic curves (thesis 2014, figures 3.14-3.18) and the steady points over the throttle.
+// Motor bench and thrust stand: a drive with its throttle laid down over time, and beside the run
+// in time the motor's characteristic curves (thesis 2014, figures 3.14-3.18) and the steady points
+// over the throttle.
 #pragma once
 
 #include <memory>

@@ -13,8 +13,8 @@ namespace rotorbench {
 
 namespace {
 
-/// The speed controller wants volts at the motor; the throttle that gives them follows from the measured bus voltage
-/// and the current, as the voltage lost in the speed controller is known too.
+/// The speed controller wants volts at the motor; the throttle that gives them follows from the
+/// measured bus voltage and the current, as the voltage lost in the speed controller is known too.
 class SpeedCommander {
  public:
   SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train, bool limited)
@@ -63,7 +63,8 @@ class SpeedCommander {
   }
 
  private:
-  /// The motor with the resistance of the speed controller in its path and the lower of the two limits.
+  /// The motor with the resistance of the speed controller in its path and the lower of the two
+  /// limits.
   static MotorConstants motorSeen(const DriveTrain& train) {
     MotorConstants motor = train.motor();
     motor.resistance += train.esc().resistance;
@@ -71,7 +72,8 @@ class SpeedCommander {
     return motor;
   }
 
-  /// Torque per speed squared at the highest set-point: the controller knows one number of its propeller.
+  /// Torque per speed squared at the highest set-point: the controller knows one number of its
+  /// propeller.
   static double feedForward(const MotorSpeedRun& run, const DriveTrain& train) {
     double top = 0;
     for (const SpeedStep& step : run.setPoints) top = std::max(top, step.speed);

@@ -1,5 +1,5 @@
-// Motor speed control: a drive whose throttle a speed controller sets, answering set-point steps. Experiment 5 of the
-// 2014 thesis (figures 4.7-4.9): angular speed, current and control signal.
+// Motor speed control: a drive whose throttle a speed controller sets, answering set-point steps.
+// Experiment 5 of the 2014 thesis (figures 4.7-4.9): angular speed, current and control signal.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// The pilot of controller 1: sensors, set-points, controller; its channels and the figures of its step responses.
+// The pilot of controller 1: sensors, set-points, controller; its channels and the figures of its
+// step responses.
 #pragma once
 
 #include <string>
@@ -18,8 +19,8 @@ class PidPilot {
   static constexpr int kRotors = 4;
   using Plant = Multirotor<kRotors, RotorDrive::Motors>;
 
-  /// `planned`: the vehicle as the controller believes it to be, without deviations. Throws InputError if the rates
-  /// do not fit the tick.
+  /// `planned`: the vehicle as the controller believes it to be, without deviations. Throws
+  /// InputError if the rates do not fit the tick.
   PidPilot(const PidControl& control, const ControlModel<kRotors>& planned, double tick);
 
   [[nodiscard]] std::vector<Channel> channels() const;

@@ -101,7 +101,8 @@ ScenePose PoseReader::at(double t) const {
   }
   pose.position = readPosition(*recording_, position_, hub_, planar_, row);
   if (!hub_.empty()) {
-    // The line through the bodies is the vehicle: its angle about x, and half its length to each side.
+    // The line through the bodies is the vehicle: its angle about x, and half its length to each
+    // side.
     const Eigen::Vector2d bar(read(hub_[2]) - read(hub_[0]), read(hub_[3]) - read(hub_[1]));
     pose.attitude = Eigen::AngleAxisd(std::atan2(bar.y(), bar.x()), Eigen::Vector3d::UnitX());
     const double half = 0.5 * bar.norm();

@@ -1,5 +1,6 @@
-// Rotor inputs laid down in advance instead of coming from a controller: constant, from a table over time in the
-// experiment, or from a CSV file. The same three sources serve every quantity (rotor speed, motor voltage).
+// Rotor inputs laid down in advance instead of coming from a controller: constant, from a table
+// over time in the experiment, or from a CSV file. The same three sources serve every quantity
+// (rotor speed, motor voltage).
 #pragma once
 
 #include <Eigen/Core>
@@ -82,8 +83,8 @@ class InputSignal {
   /// `samples` in rising order of time, at least one.
   InputSignal(std::vector<Sample> samples, Interpolation interpolation);
 
-  /// Values at time t; the first ones before the first instant, the last ones after the last. Fast for times that
-  /// rise from call to call.
+  /// Values at time t; the first ones before the first instant, the last ones after the last. Fast
+  /// for times that rise from call to call.
   Eigen::Vector4d at(double t);
   [[nodiscard]] Interpolation interpolation() const { return interpolation_; }
 
@@ -94,8 +95,8 @@ class InputSignal {
   void seek(double t);
 };
 
-/// Reads the source; files are looked for relative to `directory`. Throws InputError (missing file, wrong columns,
-/// times that do not rise).
+/// Reads the source; files are looked for relative to `directory`. Throws InputError (missing file,
+/// wrong columns, times that do not rise).
 InputSignal loadInputs(const SpeedInputs& inputs, const std::filesystem::path& directory);
 InputSignal loadInputs(const VoltageInputs& inputs, const std::filesystem::path& directory);
 

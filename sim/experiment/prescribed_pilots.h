@@ -12,8 +12,9 @@
 
 namespace rotorbench {
 
-/// Sets the rotor speeds at each tick; between two ticks they run straight if the signal does. A jump of a held
-/// signal leaves the angular momentum of the whole and so turns the body, as an infinitely strong motor would.
+/// Sets the rotor speeds at each tick; between two ticks they run straight if the signal does. A
+/// jump of a held signal leaves the angular momentum of the whole and so turns the body, as an
+/// infinitely strong motor would.
 class SpeedPilot {
  public:
   using Plant = Multirotor<4, RotorDrive::PrescribedSpeeds>;
@@ -45,8 +46,8 @@ class SpeedPilot {
   InputSignal signal_;
 };
 
-/// Applies motor voltages as duties of the supply's open-circuit voltage, so an internal resistance lowers them
-/// under load; what the supply cannot give is cut off.
+/// Applies motor voltages as duties of the supply's open-circuit voltage, so an internal resistance
+/// lowers them under load; what the supply cannot give is cut off.
 class VoltagePilot {
  public:
   using Plant = Multirotor<4, RotorDrive::Motors>;

@@ -27,7 +27,8 @@ InputSignal streamOf(const PropellerBench& bench) {
   return {std::move(samples), profile.interpolation};
 }
 
-/// What tells the runs of two propellers apart: their models, or their order where these are the same.
+/// What tells the runs of two propellers apart: their models, or their order where these are the
+/// same.
 std::vector<std::string> namesOf(const std::vector<BenchPropeller>& propellers) {
   if (propellers.size() < 2) return std::vector<std::string>(propellers.size());
   std::vector<std::string> names;

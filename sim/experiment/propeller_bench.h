@@ -1,8 +1,9 @@
-// Propeller bench: a propeller alone, by any of the rotor models a flight can use, turned at a speed laid down over time
-// in an axial stream laid down over time (thesis 2014, figures 3.19-3.20), and beside the run in time its curves: over
-// the speed, over the advance ratio, over an edgewise stream and, by blade elements, along the blade. A second propeller,
-// or the same by another model, can go through the same. Loads are quasi-steady: the induced velocity follows at once.
-// Axial speed positive in climb, m/s; speeds in rad/s; SI throughout.
+// Propeller bench: a propeller alone, by any of the rotor models a flight can use, turned at a
+// speed laid down over time in an axial stream laid down over time (thesis 2014, figures
+// 3.19-3.20), and beside the run in time its curves: over the speed, over the advance ratio, over
+// an edgewise stream and, by blade elements, along the blade. A second propeller, or the same by
+// another model, can go through the same. Loads are quasi-steady: the induced velocity follows at
+// once. Axial speed positive in climb, m/s; speeds in rad/s; SI throughout.
 #pragma once
 
 #include <memory>

@@ -87,7 +87,8 @@ void checkAdvance(const PropellerCurves& curves, const CoefficientTable::Limits&
 /// What a measured propeller cannot answer.
 void checkMeasured(const PropellerBench& p, const MeasuredPropeller& propeller,
                    std::vector<Problem>& problems) {
-  // Rules are asked of documents with faults too, and no table can be made of points that have some.
+  // Rules are asked of documents with faults too, and no table can be made of points that have
+  // some.
   const auto faults = schema::validate(schema::ref(propeller));
   if (std::ranges::any_of(faults, [](const Problem& f) { return !f.warning; })) return;
   const CoefficientTable::Limits limits = CoefficientTable(propeller).limits(p.curves.speed);

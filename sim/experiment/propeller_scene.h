@@ -8,11 +8,12 @@
 
 namespace rotorbench {
 
-/// The blade from the root cut-out to the tip, chord and twist as the blade-element model takes them; m and rad.
+/// The blade from the root cut-out to the tip, chord and twist as the blade-element model takes
+/// them; m and rad.
 std::vector<DrawnStation> drawnBlade(const PropellerGeometry& geometry);
 
-/// Blade of a propeller of which only the radius in m is known: the planform and constant geometric pitch of a typical
-/// moulded 10x4.5 propeller, for drawing and nothing else.
+/// Blade of a propeller of which only the radius in m is known: the planform and constant geometric
+/// pitch of a typical moulded 10x4.5 propeller, for drawing and nothing else.
 std::vector<DrawnStation> typicalBlade(double radius);
 
 /// One rotor at the origin, thrust upwards, turning counter-clockwise seen from above.

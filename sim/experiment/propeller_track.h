@@ -1,5 +1,6 @@
-// One propeller's part in a propeller bench: its recordings, the run in time and the curves, and its figures. Where a
-// measured propeller has nothing to say a curve ends; the run in time goes on and marks such rows.
+// One propeller's part in a propeller bench: its recordings, the run in time and the curves, and
+// its figures. Where a measured propeller has nothing to say a curve ends; the run in time goes on
+// and marks such rows.
 #pragma once
 
 #include <functional>
@@ -17,7 +18,8 @@ class PropellerTrack {
   /// Gives the recording of a run with this name.
   using AddRun = std::function<Recording&(std::string name, std::vector<Channel> channels)>;
 
-  /// `bench` must satisfy its schema; `name` tells the runs of two propellers apart and may be empty.
+  /// `bench` must satisfy its schema; `name` tells the runs of two propellers apart and may be
+  /// empty.
   PropellerTrack(const BenchPropeller& propeller, const PropellerBench& bench, std::string name,
                  const AddRun& addRun);
 
@@ -26,7 +28,8 @@ class PropellerTrack {
   /// Channels of the bench that this propeller's runs do not have.
   [[nodiscard]] std::vector<AbsentChannels> absent() const;
 
-  /// A row of the run in time at speed w, rad/s, and air speed v, m/s; false if the recording is full.
+  /// A row of the run in time at speed w, rad/s, and air speed v, m/s; false if the recording is
+  /// full.
   bool record(double t, double w, double v);
   void publish() { run_->publish(); }
   /// Fills every curve up to this share of its points, 0 to 1.

@@ -1,5 +1,6 @@
-// The reference of a solver comparison: the problem integrated by RK4 with a small step, kept at every step, and read
-// at any time by one more, shorter RK4 step from the kept state before it: as accurate there as at the steps.
+// The reference of a solver comparison: the problem integrated by RK4 with a small step, kept at
+// every step, and read at any time by one more, shorter RK4 step from the kept state before it: as
+// accurate there as at the steps.
 #pragma once
 
 #include <cmath>

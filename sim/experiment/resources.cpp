@@ -13,8 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Names of experiments in the order the gallery shows them: one a line in experiments/gallery.txt. Those not
-/// named there follow by name.
+/// Names of experiments in the order the gallery shows them: one a line in experiments/gallery.txt.
+/// Those not named there follow by name.
 std::vector<std::string> galleryOrder() {
   std::vector<std::string> names;
   std::ifstream file(resourceDirectory() / "experiments" / "gallery.txt");

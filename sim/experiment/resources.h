@@ -9,8 +9,8 @@
 
 namespace rotorbench {
 
-/// The resources folder: $ROTORBENCH_RESOURCES, else ../share/rotorbench beside an installed program, else the
-/// folder of the source tree this program was built from. Empty if none exists.
+/// The resources folder: $ROTORBENCH_RESOURCES, else ../share/rotorbench beside an installed
+/// program, else the folder of the source tree this program was built from. Empty if none exists.
 std::filesystem::path resourceDirectory();
 
 /// A ready experiment of the gallery.
@@ -22,8 +22,8 @@ struct ShippedExperiment {
   std::string kind;  ///< key of the setup alternative: "flight"
 };
 
-/// All shipped experiments in gallery order (the flagship first). One that cannot be read is left out and told in
-/// `faults`, where given.
+/// All shipped experiments in gallery order (the flagship first). One that cannot be read is left
+/// out and told in `faults`, where given.
 std::vector<ShippedExperiment> shippedExperiments(std::vector<InputError>* faults = nullptr);
 
 }  // namespace rotorbench

@@ -55,7 +55,8 @@ std::vector<fs::path> writeRunFiles(const fs::path& directory, const Experiment&
 
 namespace {
 
-/// Puts a cell in front of every line that passes through, except the header of all runs but the first.
+/// Puts a cell in front of every line that passes through, except the header of all runs but the
+/// first.
 class RunColumn : public std::streambuf {
  public:
   RunColumn(std::ostream& out, std::string run, bool first)

@@ -1,5 +1,6 @@
-// What a 3D view needs to draw a vehicle and move it, derived from an Experiment and a Recording; the window
-// draws it and computes no physics. Inertial frame: x forward, y left, z up; body frame FLU; metres, radians.
+// What a 3D view needs to draw a vehicle and move it, derived from an Experiment and a Recording;
+// the window draws it and computes no physics. Inertial frame: x forward, y left, z up; body frame
+// FLU; metres, radians.
 #pragma once
 
 #include <Eigen/Core>
@@ -29,8 +30,8 @@ struct SceneRotor {
   double motorRadius, motorHeight;
 };
 
-/// A vehicle: a body sphere and rotors at the ends of arms. A birotor is the same with two rotors, in the
-/// inertial y-z plane. `body` radius 0 draws no hub.
+/// A vehicle: a body sphere and rotors at the ends of arms. A birotor is the same with two rotors,
+/// in the inertial y-z plane. `body` radius 0 draws no hub.
 struct SceneModel {
   std::string title;
   double bodyRadius = 0;

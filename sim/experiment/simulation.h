@@ -1,5 +1,6 @@
-// A running experiment, whatever its kind, behind one interface: the edge where types are erased. The window's
-// worker thread and the command line both drive this and nothing else, so they compute the same bits.
+// A running experiment, whatever its kind, behind one interface: the edge where types are erased.
+// The window's worker thread and the command line both drive this and nothing else, so they compute
+// the same bits.
 #pragma once
 
 #include <cstdint>
@@ -18,7 +19,8 @@ namespace rotorbench {
 
 struct Experiment;
 
-/// Channels that an experiment of this kind may have and this one has not, and a sentence that says why.
+/// Channels that an experiment of this kind may have and this one has not, and a sentence that says
+/// why.
 struct AbsentChannels {
   std::string beginning;  ///< of their names
   std::string reason;
@@ -42,8 +44,9 @@ struct Progress {
 class Simulation {
  public:
   virtual ~Simulation() = default;
-  /// Computes at most `ticks` further ticks (one tick = tickSeconds() of simulated time) and publishes what was
-  /// recorded. Never throws for what happens inside a run: a failure is kept and Failed returned.
+  /// Computes at most `ticks` further ticks (one tick = tickSeconds() of simulated time) and
+  /// publishes what was recorded. Never throws for what happens inside a run: a failure is kept and
+  /// Failed returned.
   virtual SimulationState advance(std::int64_t ticks) = 0;
   /// Ends the run here as the user wishes: recordings are finished, metrics stay available.
   virtual void stop() = 0;
@@ -59,8 +62,8 @@ class Simulation {
   [[nodiscard]] virtual double tickSeconds() const = 0;
 };
 
-/// Builds the simulation an experiment describes. Throws InputError listing every problem. Files the experiment
-/// names are looked for relative to `directory`.
+/// Builds the simulation an experiment describes. Throws InputError listing every problem. Files
+/// the experiment names are looked for relative to `directory`.
 std::unique_ptr<Simulation> buildSimulation(const Experiment& experiment,
                                             const std::filesystem::path& directory = {});
 

@@ -1,4 +1,5 @@
-// What every kind of simulation keeps: its runs, its state, its failure. Kinds derive from it and fill in advance().
+// What every kind of simulation keeps: its runs, its state, its failure. Kinds derive from it and
+// fill in advance().
 #pragma once
 
 #include "sim/experiment/experiment.h"
@@ -36,7 +37,8 @@ class SimulationBase : public Simulation {
   std::optional<RunFailure> failure_;
 };
 
-/// Every `every`-th tick is recorded, so that rows are outputs.recordInterval apart as nearly as ticks allow.
+/// Every `every`-th tick is recorded, so that rows are outputs.recordInterval apart as nearly as
+/// ticks allow.
 std::int64_t ticksPerRow(const OutputSettings& outputs, double tickSeconds);
 
 }  // namespace rotorbench

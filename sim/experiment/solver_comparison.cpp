@@ -27,7 +27,8 @@ ode::SolverSettings comparedSettings(const SolverComparison& comparison, ode::Me
 
 namespace {
 
-/// Points of the work-precision diagram: each level halves the step or divides the tolerance by ten.
+/// Points of the work-precision diagram: each level halves the step or divides the tolerance by
+/// ten.
 constexpr int kLevels = 7;
 /// A method is timed this often, and a sampled run this many samples a tick.
 constexpr int kTimedRuns = 3;
@@ -205,8 +206,8 @@ class ComparisonSimulation final : public SimulationBase {
     timedRuns_ = kTimedRuns;
   }
 
-  /// The whole span once more without recording or reference, against the clock; a slice a tick, so that a stop
-  /// never waits for a long run.
+  /// The whole span once more without recording or reference, against the clock; a slice a tick, so
+  /// that a stop never waits for a long run.
   void tickTiming(std::size_t index) {
     using Clock = std::chrono::steady_clock;
     if (!run_) {

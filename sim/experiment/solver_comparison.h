@@ -1,5 +1,5 @@
-// The solver laboratory: one problem, several methods, one reference. Experiments 1 and 2 of the 2014 thesis are
-// its two driving modes.
+// The solver laboratory: one problem, several methods, one reference. Experiments 1 and 2 of the
+// 2014 thesis are its two driving modes.
 #pragma once
 
 #include <memory>
@@ -14,8 +14,8 @@ namespace rotorbench {
 
 struct OutputSettings;
 
-/// Sampled: a step never crosses a sample instant, errors are taken at the instants. Free: each method runs over
-/// the whole span in one go, errors are taken at its own steps.
+/// Sampled: a step never crosses a sample instant, errors are taken at the instants. Free: each
+/// method runs over the whole span in one go, errors are taken at its own steps.
 enum class DrivingMode { Sampled, Free };
 
 struct ComparedMethod {

@@ -1,5 +1,5 @@
-// Steady points of a drive over its throttle, solved directly and not waited for: what a thrust stand reads once all
-// has settled. Shared by the motor bench and the thrust stand. SI units.
+// Steady points of a drive over its throttle, solved directly and not waited for: what a thrust
+// stand reads once all has settled. Shared by the motor bench and the thrust stand. SI units.
 #pragma once
 
 #include <array>
@@ -30,7 +30,8 @@ SteadyPoint steadyPoint(const DriveTrain& train, double throttle, double charge,
                         double polarisation);
 std::array<double, kSteadyValues> rowOf(const SteadyPoint& point);
 
-/// Appends the steady points at equal steps of throttle from 0 to 1, with the battery as full as it is at first.
+/// Appends the steady points at equal steps of throttle from 0 to 1, with the battery as full as it
+/// is at first.
 void recordSteadyPoints(const DriveTrain& train, int points, Recording& recording);
 
 }  // namespace rotorbench

@@ -55,8 +55,8 @@ struct PlanOf {
 constexpr std::array kComparedValues{&SteadyPoint::speed, &SteadyPoint::thrust,
                                      &SteadyPoint::supplyCurrent, &SteadyPoint::motorCurrent};
 
-/// Largest relative difference of what settles last. Near rest a relative difference says nothing: there it is taken of
-/// a hundredth of what full throttle gives.
+/// Largest relative difference of what settles last. Near rest a relative difference says nothing:
+/// there it is taken of a hundredth of what full throttle gives.
 double difference(const SteadyPoint& a, const SteadyPoint& b, const SteadyPoint& full) {
   double most = 0;
   for (const auto value : kComparedValues) {

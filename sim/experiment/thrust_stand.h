@@ -1,6 +1,7 @@
-// Thrust stand: supply, speed controller, motor and propeller, driven through a procedure as on a real stand. At the
-// instants where an operator would read the gauges, what was reached is set beside the steady point solved directly
-// for the same throttle and state of the battery. Recorded in SI units.
+// Thrust stand: supply, speed controller, motor and propeller, driven through a procedure as on a
+// real stand. At the instants where an operator would read the gauges, what was reached is set
+// beside the steady point solved directly for the same throttle and state of the battery. Recorded
+// in SI units.
 #pragma once
 
 #include <memory>
@@ -59,7 +60,8 @@ struct ThrustStand {
   bool operator==(const ThrustStand&) const = default;
 };
 
-/// The procedure as a signal of throttle, with the instants in s at which the gauges are read, rising.
+/// The procedure as a signal of throttle, with the instants in s at which the gauges are read,
+/// rising.
 struct ThrottlePlan {
   InputSignal signal;
   std::vector<double> readings;

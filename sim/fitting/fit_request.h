@@ -1,5 +1,5 @@
-// What a person asks of a fit, described for forms and files: which component, which of its parameters, and what the
-// columns mean. SI units.
+// What a person asks of a fit, described for forms and files: which component, which of its
+// parameters, and what the columns mean. SI units.
 #pragma once
 
 #include <variant>
@@ -71,8 +71,8 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start);
 /// What the table lacks, one sentence each; empty if the fit can be done.
 std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTable& table,
                                     const FitStart& start);
-/// How many rows a motor fit leaves out at the current limit, or could leave out; empty for other fits, where a limit is
-/// not known, and where something is missing.
+/// How many rows a motor fit leaves out at the current limit, or could leave out; empty for other
+/// fits, where a limit is not known, and where something is missing.
 std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
                             const FitStart& start);
 /// Throws InputError with those sentences.

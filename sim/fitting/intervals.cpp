@@ -8,7 +8,8 @@ namespace rotorbench {
 
 namespace {
 
-/// Singular values below this part of the largest are noise of the differences the Jacobian was made with.
+/// Singular values below this part of the largest are noise of the differences the Jacobian was
+/// made with.
 constexpr double kNoise = 1e-6;
 /// Least part a parameter has in a direction the data do not see to be called undetermined by it.
 constexpr double kPart = 0.05;
@@ -19,12 +20,14 @@ bool isAtBound(const FittedParameter& p) {
   return p.value <= p.parameter.low + near || p.value >= p.parameter.high - near;
 }
 
-/// P(T <= t) of Student's t for t >= 0, by the incomplete beta function (Abramowitz and Stegun 26.7.1).
+/// P(T <= t) of Student's t for t >= 0, by the incomplete beta function (Abramowitz and Stegun
+/// 26.7.1).
 double studentProbability(double t, double degrees) {
   return 1 - 0.5 * Eigen::numext::betainc(0.5 * degrees, 0.5, degrees / (degrees + t * t));
 }
 
-/// Names of the parameters that go together with `part` in what the data do not see; `unseen` projects onto that.
+/// Names of the parameters that go together with `part` in what the data do not see; `unseen`
+/// projects onto that.
 std::string companions(const Eigen::MatrixXd& unseen, Eigen::Index part,
                        const std::vector<std::size_t>& free, const FitResult& result) {
   std::string names;

@@ -1,5 +1,6 @@
-// Parameters of a model from measured points by non-linear least squares (Levenberg-Marquardt, Ceres Solver: S. Agarwal,
-// K. Mierle), with intervals. Nothing of Ceres is seen here. Parameters and predictions are in SI units.
+// Parameters of a model from measured points by non-linear least squares (Levenberg-Marquardt,
+// Ceres Solver: S. Agarwal, K. Mierle), with intervals. Nothing of Ceres is seen here. Parameters
+// and predictions are in SI units.
 //   residual   r = (measured - predicted) / sigma of its output
 //   interval   p +- t(97.5 %, n - k) sqrt(s^2 [(J^T J)^-1]_pp),  s^2 = sum r^2 / (n - k)
 //   G. A. F. Seber, C. J. Wild, Nonlinear Regression, 1989, ch. 5 (linear approximation)
@@ -68,7 +69,8 @@ struct FitOptions {
 struct FittedParameter {
   FitParameter parameter;
   double value = 0;
-  /// Half of the confidence interval; empty if the data do not determine the parameter or it stands at a bound.
+  /// Half of the confidence interval; empty if the data do not determine the parameter or it stands
+  /// at a bound.
   std::optional<double> halfWidth;
   bool determined = true;
   std::string remark;  ///< one sentence where there is something to say
@@ -103,7 +105,8 @@ struct FitResult {
 /// Blocks until the fit has ended; never throws for what happens inside it.
 FitResult solveLeastSquares(const FitProblem& problem, const FitOptions& options = {});
 
-/// The value that Student's t with `degrees` of freedom (1 or more) stays below with probability p, 0.5 <= p < 1.
+/// The value that Student's t with `degrees` of freedom (1 or more) stays below with probability p,
+/// 0.5 <= p < 1.
 double studentQuantile(double p, double degrees);
 
 }  // namespace rotorbench

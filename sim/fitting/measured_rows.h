@@ -14,8 +14,8 @@ namespace rotorbench {
 std::vector<std::string> missingColumns(const MeasuredTable& table,
                                         std::span<const std::string_view> quantities);
 
-/// The values of these quantities in each row where all of them are finite. A quantity without a column gives no
-/// rows. Behind them the `also`, NaN where they were not measured.
+/// The values of these quantities in each row where all of them are finite. A quantity without a
+/// column gives no rows. Behind them the `also`, NaN where they were not measured.
 std::vector<std::vector<double>> finiteRows(const MeasuredTable& table,
                                             std::span<const std::string_view> quantities,
                                             std::span<const std::string_view> also = {});

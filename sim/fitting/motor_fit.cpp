@@ -140,8 +140,9 @@ std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) 
   return rows;
 }
 
-/// Speed held at terminal voltage v against torque + k w^2: dV = R i + K w with K i = friction + torque + k w^2. Friction
-/// is a straight line over the speed of a turning motor, so that this is a quadratic equation.
+/// Speed held at terminal voltage v against torque + k w^2: dV = R i + K w with K i = friction +
+/// torque + k w^2. Friction is a straight line over the speed of a turning motor, so that this is a
+/// quadratic equation.
 double speedOf(const MotorConstants& m, double k, const Row& row) {
   const double perCurrent = m.resistance / m.torqueConstant;
   const double a = perCurrent * k;

@@ -1,10 +1,14 @@
-// Motor constants from the log of a stand by the equations of the averaged machine in its steady state. SI units.
-//   winding    d V = R i + K w,   i = I/d                        (d: duty, V and I: supply, R with speed controller)
-//   shaft      K i = friction(w) + Q                             friction from I0 and its viscous share (motor.h)
-// Where the duty of a row is known, speed and supply current are predicted from it; where it is not, the supply current
-// from the measured speed by the power V I = R i^2 + K w i, which needs no duty. Rows that accelerate are not steady:
-// logs with steps should be cut to their plateaus. Rows in which a current limit holds the motor back do not follow these
-// equations, for the duty is less than the throttle; they can be left out.
+// Motor constants from the log of a stand by the equations of the averaged machine in its steady
+// state. SI units.
+//   winding    d V = R i + K w,   i = I/d                        (d: duty, V and I: supply, R with
+//              speed controller)
+//   shaft      K i = friction(w) + Q                             friction from I0 and its viscous
+//              share (motor.h)
+// Where the duty of a row is known, speed and supply current are predicted from it; where it is
+// not, the supply current from the measured speed by the power V I = R i^2 + K w i, which needs no
+// duty. Rows that accelerate are not steady: logs with steps should be cut to their plateaus. Rows
+// in which a current limit holds the motor back do not follow these equations, for the duty is less
+// than the throttle; they can be left out.
 #pragma once
 
 #include <string>
@@ -26,8 +30,9 @@ enum class ShaftTorque {
 
 /// What the throttle says about the duty.
 enum class DutyFrom {
-  Throttle,      ///< duty = throttle
-  FullThrottle,  ///< 1 at full throttle, else unknown: for speed controllers with a curve of their own
+  Throttle,  ///< duty = throttle
+  /// 1 at full throttle, else unknown: for speed controllers with a curve of their own
+  FullThrottle,
   Unknown,
 };
 
@@ -50,9 +55,10 @@ struct MotorFitRows {
   std::size_t used = 0, limited = 0;
 };
 
-/// A row is at the limit by its motor current, where that was measured; else by the supply current over the duty, or over 1
-/// where the duty is not known, which is the least the motor current can be. Beyond the limit that quotient falls, so that
-/// then all rows of as much throttle or more count as limited. Precondition: nothing is missing.
+/// A row is at the limit by its motor current, where that was measured; else by the supply current
+/// over the duty, or over 1 where the duty is not known, which is the least the motor current can
+/// be. Beyond the limit that quotient falls, so that then all rows of as much throttle or more
+/// count as limited. Precondition: nothing is missing.
 MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& setup);
 
 /// What the table lacks for this fit, one sentence each; empty if it can be done.

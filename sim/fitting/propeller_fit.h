@@ -1,7 +1,9 @@
-// Twist offset and drag of a blade-element propeller from measured coefficients, static or in flight. SI units.
-//   T = CT rho n^2 D^4, P = CP rho n^3 D^5, J = V/(n D); rows hold CT and CP, or thrust and torque, or one of each.
-// The drag factor multiplies the profile drag of every analytic section of the blade (analytic_section.h). Both
-// coefficients count in parts of their mean size.
+// Twist offset and drag of a blade-element propeller from measured coefficients, static or in
+// flight. SI units.
+//   T = CT rho n^2 D^4, P = CP rho n^3 D^5, J = V/(n D); rows hold CT and CP, or thrust and torque,
+//     or one of each.
+// The drag factor multiplies the profile drag of every analytic section of the blade
+// (analytic_section.h). Both coefficients count in parts of their mean size.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// The lumped coefficients of a rotor at rest in the air from a stand: T = k_f w^2, Q = k_m w^2. SI units.
+// The lumped coefficients of a rotor at rest in the air from a stand: T = k_f w^2, Q = k_m w^2. SI
+// units.
 #pragma once
 
 #include <optional>
@@ -21,7 +22,8 @@ std::vector<std::string> missingForRotorFit(const MeasuredTable& table, const Ro
 /// Throws InputError with those sentences. Keys of the parameters: "thrust" and "torque".
 FitProblem rotorFitProblem(const MeasuredTable& table, const RotorFitSetup& setup);
 
-/// CT of k_f and CP of k_m: k_f = CT rho D^4/(2 pi)^2, k_m = CP rho D^5/(2 pi)^3. Density in kg/m^3, diameter in m.
+/// CT of k_f and CP of k_m: k_f = CT rho D^4/(2 pi)^2, k_m = CP rho D^5/(2 pi)^3. Density in
+/// kg/m^3, diameter in m.
 double thrustCoefficientOf(double kf, double density, double diameter);
 double powerCoefficientOf(double km, double density, double diameter);
 

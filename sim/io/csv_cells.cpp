@@ -12,8 +12,8 @@ bool isBlank(char c) {
   return c == ' ' || c == '\t';
 }
 
-/// Appends what stands in quotes to `cell` and takes it off `rest`, which begins after the first quote and ends
-/// at the separator.
+/// Appends what stands in quotes to `cell` and takes it off `rest`, which begins after the first
+/// quote and ends at the separator.
 CellFault takeQuoted(std::string_view& rest, char separator, std::string& cell) {
   while (true) {
     const std::size_t end = rest.find('"');

@@ -1,5 +1,5 @@
-// One line of a table of text cut into its cells, and cells read as numbers: what strict tables (csv.h) and the
-// import of measured data have in common.
+// One line of a table of text cut into its cells, and cells read as numbers: what strict tables
+// (csv.h) and the import of measured data have in common.
 #pragma once
 
 #include <optional>
@@ -22,15 +22,16 @@ std::string_view trimmedCell(std::string_view text);
 
 enum class CellFault { None, OpenQuote, TextAfterQuote };
 
-/// Replaces `cells` by the cells of a line: quotes taken off, doubled quotes made single. A line with a fault
-/// leaves the cells before it.
+/// Replaces `cells` by the cells of a line: quotes taken off, doubled quotes made single. A line
+/// with a fault leaves the cells before it.
 CellFault splitCells(std::string_view line, char separator, std::vector<std::string>& cells);
 
-/// A finite number with a decimal point or, where `commaToo`, with a comma instead; a leading + is allowed. No
-/// signs between thousands.
+/// A finite number with a decimal point or, where `commaToo`, with a comma instead; a leading + is
+/// allowed. No signs between thousands.
 std::optional<double> readCell(std::string_view cell, bool commaToo);
 
-/// A column's name and unit: "rotor1 [rpm]" or "rotor1 (rpm)". The unit is empty where none is written.
+/// A column's name and unit: "rotor1 [rpm]" or "rotor1 (rpm)". The unit is empty where none is
+/// written.
 struct CellHeading {
   std::string name, unit;
 };

@@ -86,9 +86,9 @@ class SchemaWriter {
   }
 
  private:
-  /// A reference to the definition of a struct; `typeKey` is set for an alternative of a variant. Where a struct is
-  /// part of another one that makes it with values of its own, these are its defaults and it has a definition of its
-  /// own.
+  /// A reference to the definition of a struct; `typeKey` is set for an alternative of a variant.
+  /// Where a struct is part of another one that makes it with values of its own, these are its
+  /// defaults and it has a definition of its own.
   ordered_json reference(const Type& type, const std::string& typeKey, const void* defaults) {
     const Definition definition{&type, typeKey, ownDefaults(type, defaults)};
     const auto [known, added] = names_.try_emplace(definition);

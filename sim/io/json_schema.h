@@ -8,10 +8,10 @@
 
 namespace rotorbench {
 
-/// The schema of the files writeDocument() makes and readDocument() takes: units and help in "description",
-/// ranges, choices, variants as "oneOf" with a constant "type", no unknown keys. Quantities are numbers in SI or
-/// strings of one number and a unit (readDocument also computes "1/2 in"; rules over several members are not
-/// expressed). Pretty-printed, newline at the end.
+/// The schema of the files writeDocument() makes and readDocument() takes: units and help in
+/// "description", ranges, choices, variants as "oneOf" with a constant "type", no unknown keys.
+/// Quantities are numbers in SI or strings of one number and a unit (readDocument also computes
+/// "1/2 in"; rules over several members are not expressed). Pretty-printed, newline at the end.
 std::string jsonSchema(const schema::Type& type, const DocumentFormat& format = {});
 
 }  // namespace rotorbench

@@ -1,4 +1,5 @@
-// JSON text as a tree, read with care: hostile input (deep, huge, binary, doubled keys) ends in a sentence.
+// JSON text as a tree, read with care: hostile input (deep, huge, binary, doubled keys) ends in a
+// sentence.
 #pragma once
 
 #include <cstdint>
@@ -35,8 +36,9 @@ constexpr std::size_t kMaxJsonBytes = std::size_t{16} << 20;
 constexpr int kMaxJsonDepth = 64;
 constexpr std::size_t kMaxJsonValues = 2'000'000;
 
-/// Strict JSON (RFC 8259) in UTF-8. Throws InputError: a syntax error with line and column; exceeded limits.
-/// A key given twice in one object is added to `problems` with its path; the first value is kept.
+/// Strict JSON (RFC 8259) in UTF-8. Throws InputError: a syntax error with line and column;
+/// exceeded limits. A key given twice in one object is added to `problems` with its path; the first
+/// value is kept.
 JsonValue parseJson(std::string_view text, const std::string& source,
                     std::vector<Problem>& problems);
 

@@ -7,12 +7,14 @@
 
 namespace rotorbench {
 
-/// One row per metric and one column per run where there are few runs, each number with its unit. UTF-8, '\n'.
+/// One row per metric and one column per run where there are few runs, each number with its unit.
+/// UTF-8, '\n'.
 std::string metricsText(const MetricTable& table);
 
 /// {"experiment": title, "metrics": [{"run": …, NAME: number, …}], "units": {NAME: unit},
-/// "verdicts": [{"time": s, "name": …, "what": …}], "warnings": [{"path": …, "what": …, "allowed": …}]}; a figure that
-/// does not exist is null. Numbers have the shortest digits that read back equal.
+/// "verdicts": [{"time": s, "name": …, "what": …}], "warnings": [{"path": …, "what": …, "allowed":
+/// …}]}; a figure that does not exist is null. Numbers have the shortest digits that read back
+/// equal.
 std::string metricsJson(const std::string& experimentTitle, const RunSummary& summary);
 
 }  // namespace rotorbench

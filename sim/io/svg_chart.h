@@ -1,6 +1,7 @@
-// A chart of curves and points as an SVG element, to stand inside a page. Text and axes take the colour of the page
-// (currentColor), so that it can be light or dark; the curves have the colours of Okabe and Ito (2008), which stay
-// distinct for colour-blind readers. Values in the units the labels name.
+// A chart of curves and points as an SVG element, to stand inside a page. Text and axes take the
+// colour of the page (currentColor), so that it can be light or dark; the curves have the colours
+// of Okabe and Ito (2008), which stay distinct for colour-blind readers. Values in the units the
+// labels name.
 #pragma once
 
 #include <array>
@@ -30,11 +31,12 @@ struct SvgChart {
   double width = 460, height = 300;  ///< of the picture, in its own units
 };
 
-/// Marks of an axis: at most about `most` round numbers (1, 2 or 5 times a power of ten apart) that cover least to
-/// greatest, which may be equal or the wrong way round.
+/// Marks of an axis: at most about `most` round numbers (1, 2 or 5 times a power of ten apart) that
+/// cover least to greatest, which may be equal or the wrong way round.
 std::vector<double> axisTicks(double least, double greatest, int most = 7);
 
-/// One <svg> element, with title, axes, marks, legend and all points. Series without points are left out.
+/// One <svg> element, with title, axes, marks, legend and all points. Series without points are
+/// left out.
 std::string svgChart(const SvgChart& chart);
 
 /// Text made safe inside HTML and SVG.

@@ -1,6 +1,7 @@
-// A component: one motor, battery, propeller, airframe ... with its name and where its numbers are from, kept apart
-// from any experiment. The value is a plain described struct of the room that computes with it; which structs are
-// components, and what they are called, is one table: componentKinds(). Values are SI.
+// A component: one motor, battery, propeller, airframe ... with its name and where its numbers are
+// from, kept apart from any experiment. The value is a plain described struct of the room that
+// computes with it; which structs are components, and what they are called, is one table:
+// componentKinds(). Values are SI.
 #pragma once
 
 #include <functional>
@@ -23,7 +24,8 @@ struct ComponentInfo {
   bool operator==(const ComponentInfo&) const = default;
 };
 
-/// A component of any kind. Copies share the value: whoever wants another one makes another component.
+/// A component of any kind. Copies share the value: whoever wants another one makes another
+/// component.
 struct Component {
   ComponentInfo info;
   const schema::Type* type = nullptr;  ///< of `value`, one of componentKinds()
@@ -51,8 +53,8 @@ struct ComponentKind {
   std::string label;   ///< for people: "Motor"
   std::string folder;  ///< of the library: "motors"
   const schema::Type* type;
-  /// Paths of the leaves that tell components of this kind apart, most telling first. Those of an alternative that
-  /// is not chosen are left out where they are shown.
+  /// Paths of the leaves that tell components of this kind apart, most telling first. Those of an
+  /// alternative that is not chosen are left out where they are shown.
   std::vector<std::string> keyFigures;
 
   /// Text of a component file of this kind and back; see component_file.h.

@@ -1,5 +1,6 @@
-// How one line makes a kind of component: the struct of a whole component file with its description, and its reading
-// and writing through the documents of sim/io. For component.cpp; everyone else includes component.h.
+// How one line makes a kind of component: the struct of a whole component file with its
+// description, and its reading and writing through the documents of sim/io. For component.cpp;
+// everyone else includes component.h.
 #pragma once
 
 #include <string>

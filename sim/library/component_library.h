@@ -1,5 +1,5 @@
-// The library: the components shipped with the program and those the user saved, one file each, in folders named
-// after their kind. A file that cannot be read is reported and hides no other.
+// The library: the components shipped with the program and those the user saved, one file each, in
+// folders named after their kind. A file that cannot be read is reported and hides no other.
 #pragma once
 
 #include <filesystem>
@@ -28,7 +28,8 @@ std::filesystem::path shippedLibraryDirectory();
 
 class ComponentLibrary {
  public:
-  /// Reads all components. A folder that does not exist holds none; the own one is made on the first save.
+  /// Reads all components. A folder that does not exist holds none; the own one is made on the
+  /// first save.
   ComponentLibrary(std::filesystem::path shippedFolder, std::filesystem::path ownFolder);
 
   /// Reads the files again; entries got before are no longer valid.
@@ -45,13 +46,15 @@ class ComponentLibrary {
   /// `wanted`, or "wanted 2", "wanted 3" ... if a component of this kind has that name.
   [[nodiscard]] std::string freeName(const ComponentKind& kind, std::string_view wanted) const;
 
-  /// Saves to the user's folder and returns the new entry. Throws InputError, with nothing changed, if a component
-  /// of the kind has this name already, the component is not valid, or the file cannot be written. Entries got before
-  /// are no longer valid.
+  /// Saves to the user's folder and returns the new entry. Throws InputError, with nothing changed,
+  /// if a component of the kind has this name already, the component is not valid, or the file
+  /// cannot be written. Entries got before are no longer valid.
   const LibraryEntry& save(const Component& component);
-  /// Puts a component of the same kind in place of an own one, perhaps under another name. Throws as save().
+  /// Puts a component of the same kind in place of an own one, perhaps under another name. Throws
+  /// as save().
   const LibraryEntry& replace(const LibraryEntry& entry, const Component& component);
-  /// Deletes the file of an own component. Throws InputError for a shipped one or if the file cannot be deleted.
+  /// Deletes the file of an own component. Throws InputError for a shipped one or if the file
+  /// cannot be deleted.
   void remove(const LibraryEntry& entry);
 
  private:

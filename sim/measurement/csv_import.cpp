@@ -32,7 +32,8 @@ struct Taken {
   Occurrences texts{};
   std::size_t numbers = 0, times = 0;
 
-  /// The number in a cell, or the seconds of a time as text; empty where the column holds the other of the two.
+  /// The number in a cell, or the seconds of a time as text; empty where the column holds the other
+  /// of the two.
   std::optional<double> written(std::string_view cell, bool comma) {
     if (const auto number = readCell(cell, comma)) return times == 0 ? number : std::nullopt;
     if (!isTime || numbers > times) return {};

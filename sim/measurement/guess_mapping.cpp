@@ -112,8 +112,8 @@ void guessScale(const PreviewColumn& column, const Quantity& quantity, ColumnMap
   if (throttle && most > kPulse) mapping.scale = 1 / kSixteenBits;
 }
 
-/// The unit in brackets, or behind the last underscore ("voltage_V"), or by the size of the numbers. False if the
-/// column has a unit in which the quantity is not measured.
+/// The unit in brackets, or behind the last underscore ("voltage_V"), or by the size of the
+/// numbers. False if the column has a unit in which the quantity is not measured.
 bool takeUnit(const PreviewColumn& column, const Quantity& quantity, ColumnMapping& mapping) {
   if (!column.unit.empty()) {
     mapping.unit = canonicalUnit(column.unit);
@@ -135,7 +135,8 @@ struct Candidate {
   ColumnMapping mapping;
 };
 
-/// Cells that are times as text, or are meant to be: a time, though any column of numbers is the better one.
+/// Cells that are times as text, or are meant to be: a time, though any column of numbers is the
+/// better one.
 bool isTimeText(const PreviewColumn& column, const std::string& name) {
   if (column.numbers > 0) return false;
   const bool named = name.find("time") != std::string::npos || name == "t";

@@ -1,5 +1,6 @@
-// How a table of measurements is to be understood: where its cells end, which line names the columns, and what each
-// column is. Guessed from the text, corrected by a person, remembered for the next file with the same columns.
+// How a table of measurements is to be understood: where its cells end, which line names the
+// columns, and what each column is. Guessed from the text, corrected by a person, remembered for
+// the next file with the same columns.
 #pragma once
 
 #include <string>
@@ -31,8 +32,8 @@ char separatorSign(Separator separator);
 /// The key of a column that is kept under a name of its own.
 inline constexpr std::string_view kOtherQuantity = "other";
 
-/// What one column is. SI value = conversion(scale * written + offset); of a time written as text, the seconds since the
-/// first row are "written".
+/// What one column is. SI value = conversion(scale * written + offset); of a time written as text,
+/// the seconds since the first row are "written".
 struct ColumnMapping {
   std::string column;    ///< its name in the file
   std::string quantity;  ///< key of a Quantity, kOtherQuantity, or empty: left out
@@ -55,8 +56,8 @@ Channel channelOf(const ColumnMapping& column, ChannelGroup group);
 /// From scale * written + offset to SI; 1 where the unit does not fit.
 UnitConversion conversionOf(const ColumnMapping& column);
 
-/// Names under which a column was found; the first rows as they stand; and how many of the rows looked at hold a
-/// number, a time written as text (time_text.h), another text, or nothing.
+/// Names under which a column was found; the first rows as they stand; and how many of the rows
+/// looked at hold a number, a time written as text (time_text.h), another text, or nothing.
 struct PreviewColumn {
   std::string name, unit;
   std::vector<std::string> cells;
@@ -68,13 +69,16 @@ struct CsvPreview {
   std::size_t rows = 0;  ///< of the preview
 };
 
-/// The separator that cuts most lines alike, the line of names before the first rows of numbers, the decimal mark.
+/// The separator that cuts most lines alike, the line of names before the first rows of numbers,
+/// the decimal mark.
 CsvLayout guessLayout(const TextLines& lines);
 /// The first rows in that layout. Never throws.
 CsvPreview previewOf(const TextLines& lines, const CsvLayout& layout, std::size_t rows = 200);
-/// What the names and units of the columns say. One column for each quantity, the one that fits best.
+/// What the names and units of the columns say. One column for each quantity, the one that fits
+/// best.
 std::vector<ColumnMapping> guessMapping(const CsvPreview& preview);
-/// The group whose horizontal axis is among the mapped columns: time before throttle before advance ratio.
+/// The group whose horizontal axis is among the mapped columns: time before throttle before advance
+/// ratio.
 ChannelGroup guessGroup(const std::vector<ColumnMapping>& columns);
 
 /// The names of all columns as one text: what a remembered mapping is filed under.

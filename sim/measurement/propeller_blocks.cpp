@@ -81,7 +81,8 @@ std::string_view unitIn(std::string_view token) {
   return token.starts_with("Adv") ? std::string_view() : token;
 }
 
-/// "PROP RPM [rpm]", "V [mph]", "J" ... of a line of names and one of units, in their order or by what stands below.
+/// "PROP RPM [rpm]", "V [mph]", "J" ... of a line of names and one of units, in their order or by
+/// what stands below.
 std::string namesOf(std::string_view names, std::string_view units) {
   const std::vector<Token> columns = tokensOf(names);
   const std::vector<Token> written = tokensOf(units);

@@ -1,5 +1,5 @@
-// What people measure on a stand or in a tunnel, under the names the computed runs use: the one table that import,
-// comparison and fit agree on. SI units.
+// What people measure on a stand or in a tunnel, under the names the computed runs use: the one
+// table that import, comparison and fit agree on. SI units.
 #pragma once
 
 #include <optional>
@@ -48,8 +48,9 @@ struct UnitConversion {
   [[nodiscard]] double toSi(double written) const { return factor * written + offset; }
 };
 
-/// Units a column of this quantity may be in. Beside those of its dimension: "us" for a throttle, the pulse from 1000 to
-/// 2000 microseconds; grams, kilograms, ounces and pounds for a thrust (of force at standard gravity).
+/// Units a column of this quantity may be in. Beside those of its dimension: "us" for a throttle,
+/// the pulse from 1000 to 2000 microseconds; grams, kilograms, ounces and pounds for a thrust (of
+/// force at standard gravity).
 std::vector<std::string> unitsOf(const Quantity& quantity);
 /// Empty if the quantity is not measured in this unit.
 std::optional<UnitConversion> conversionOf(const Quantity& quantity, std::string_view unit);

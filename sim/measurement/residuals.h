@@ -1,6 +1,6 @@
-// A measured series against a computed one: the computed one is read between its points at the abscissa of each
-// measured point; residual = measured - computed. Points outside the computed range, and what is not finite, are left
-// out and counted.
+// A measured series against a computed one: the computed one is read between its points at the
+// abscissa of each measured point; residual = measured - computed. Points outside the computed
+// range, and what is not finite, are left out and counted.
 //   RMSE = sqrt(mean r^2),  R^2 = 1 - sum r^2 / sum (m - mean m)^2
 #pragma once
 
@@ -10,7 +10,8 @@
 
 namespace rotorbench {
 
-/// One channel over another; the abscissa of a computed series may come in any order and its points are sorted.
+/// One channel over another; the abscissa of a computed series may come in any order and its points
+/// are sorted.
 struct Series {
   std::vector<double> x, y;
 };
@@ -33,8 +34,8 @@ struct ResidualReport {
   [[nodiscard]] double residual(std::size_t i) const { return measured[i] - computed[i]; }
 };
 
-/// Compares; with nothing to compare, `figures.count` is 0 and a sentence says why. Where several computed points have the
-/// same x, the last one counts.
+/// Compares; with nothing to compare, `figures.count` is 0 and a sentence says why. Where several
+/// computed points have the same x, the last one counts.
 ResidualReport compareSeries(const Series& measured, const Series& computed);
 
 }  // namespace rotorbench

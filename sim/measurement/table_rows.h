@@ -1,4 +1,5 @@
-// The rows of a table of text in a given layout, one after the other, with a note of the lines that had to be left out.
+// The rows of a table of text in a given layout, one after the other, with a note of the lines that
+// had to be left out.
 #pragma once
 
 #include <string>

@@ -36,7 +36,8 @@ void appendUtf8(std::string& out, std::uint32_t code) {
   }
 }
 
-/// Text of 16-bit units after the byte order mark; halves of pairs and an odd last byte become U+FFFD.
+/// Text of 16-bit units after the byte order mark; halves of pairs and an odd last byte become
+/// U+FFFD.
 std::string fromUtf16(std::string_view bytes, bool littleEndian) {
   constexpr std::uint32_t kReplacement = 0xFFFD;
   const auto unit = [&](std::size_t i) {

@@ -1,7 +1,7 @@
-// A file of measurements as lines of UTF-8 text, whatever program wrote it: byte order marks, UTF-16 and the line
-// ends of all systems are understood, bytes that are no UTF-8 are taken for Latin-1, gzip is unpacked, the blocks of a
-// propeller table become one table (propeller_blocks.h). What cannot be a table of text (other compressed files, zero
-// bytes) is refused with a sentence.
+// A file of measurements as lines of UTF-8 text, whatever program wrote it: byte order marks,
+// UTF-16 and the line ends of all systems are understood, bytes that are no UTF-8 are taken for
+// Latin-1, gzip is unpacked, the blocks of a propeller table become one table (propeller_blocks.h).
+// What cannot be a table of text (other compressed files, zero bytes) is refused with a sentence.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,8 @@ namespace rotorbench {
 
 class TextLines {
  public:
-  /// Throws InputError if the file cannot be read, is larger than 64 MiB (unpacked, too), or no text.
+  /// Throws InputError if the file cannot be read, is larger than 64 MiB (unpacked, too), or no
+  /// text.
   static TextLines fromFile(const std::filesystem::path& path);
   /// `source` names the text in messages.
   static TextLines fromBytes(std::string_view bytes, std::string source);

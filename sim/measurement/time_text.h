@@ -1,7 +1,7 @@
 // Times written as text: dates with a time of day as ISO 8601 has them, and times of day alone.
 //   2024-03-01T12:00:00.250   2024-03-01 12:00:00Z   2024-03-01T12:00+01:00   12:00:00.25
-// Fractions of a second behind a point or comma, or as three digits behind a colon (logs of the AutoQuad ESC32); without a
-// zone the clock is taken to run through.
+// Fractions of a second behind a point or comma, or as three digits behind a colon (logs of the
+// AutoQuad ESC32); without a zone the clock is taken to run through.
 #pragma once
 
 #include <optional>
@@ -24,11 +24,12 @@ struct TimeText {
 /// The whole text as a time; empty if it is none, or there is no such date or hour.
 std::optional<TimeText> readTimeText(std::string_view text);
 
-/// True for text that has digits on both sides of a colon, as all times do, also those that readTimeText refuses.
+/// True for text that has digits on both sides of a colon, as all times do, also those that
+/// readTimeText refuses.
 bool resemblesTime(std::string_view text);
 
-/// Makes seconds since the first of the times read in the order of a file. Times of day that fall back by more than half
-/// a day have passed midnight.
+/// Makes seconds since the first of the times read in the order of a file. Times of day that fall
+/// back by more than half a day have passed midnight.
 class TimeLine {
  public:
   /// Empty if the text is no time, or not of the same kind as the first.

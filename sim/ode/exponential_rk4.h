@@ -124,7 +124,8 @@ class ExponentialRk4 {
     double step = 0;  ///< s; 0: none yet
     std::array<PairConstants, kPairs> pairs{};
   };
-  /// Where a tick is divided, at instants that lie alike in every tick, a few lengths of step return again and again.
+  /// Where a tick is divided, at instants that lie alike in every tick, a few lengths of step
+  /// return again and again.
   static constexpr std::size_t kKept = 8;
 
   static bool holds(const Constants& constants, double h) {

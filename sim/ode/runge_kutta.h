@@ -22,12 +22,13 @@ template <class State>
   return -1;
 }
 
-/// Up to this size a state is handled component by component. The right-hand side has just stored the derivative
-/// so, and a packed load of two such stores waits until both have left the store buffer, which costs more than the
-/// sums. A larger state is past that wait, and gains.
+/// Up to this size a state is handled component by component. The right-hand side has just stored
+/// the derivative so, and a packed load of two such stores waits until both have left the store
+/// buffer, which costs more than the sums. A larger state is past that wait, and gains.
 inline constexpr int kSmallState = 12;
 
-/// The sum of components is finite unless one of them is not (or beyond 1e307, which is looked at closer).
+/// The sum of components is finite unless one of them is not (or beyond 1e307, which is looked at
+/// closer).
 template <class State>
 [[gnu::always_inline]] inline bool isFinite(const State& v) {
   constexpr int kSize = State::RowsAtCompileTime;
@@ -80,9 +81,10 @@ class RungeKutta {
     evaluations_ += kStages - 1;
   }
 
-  /// step() and accept() `count` times from `start` on, with `afterStep(y)` after each. State and derivatives
-  /// are variables of this function: the compiler then knows that storing them leaves the parameters of `f`
-  /// alone. Ends before a step whose result is not finite; step() tells more about it. Returns the steps made.
+  /// step() and accept() `count` times from `start` on, with `afterStep(y)` after each. State and
+  /// derivatives are variables of this function: the compiler then knows that storing them leaves
+  /// the parameters of `f` alone. Ends before a step whose result is not finite; step() tells more
+  /// about it. Returns the steps made.
   template <class AfterStep>
   std::int64_t run(System& f, double start, double h, std::int64_t count, State& y,
                    AfterStep&& afterStep) requires(!kAdaptive && !Tableau::kFirstSameAsLast) {
@@ -129,7 +131,8 @@ class RungeKutta {
     }
   }
 
-  /// Like accept(), and fills `dense` for the step from (t, y0) to (end, y1), end = t + h up to rounding.
+  /// Like accept(), and fills `dense` for the step from (t, y0) to (end, y1), end = t + h up to
+  /// rounding.
   void accept(System& f, double t, [[maybe_unused]] double end, double h, const State& y0,
               const State& y1, DenseOutput<State>& dense) {
     const State first = k_[0];
@@ -191,8 +194,8 @@ class RungeKutta {
 #endif
   }
 
-  /// The terms are added in the order of the stages, each one product: the derivative computed last, the one
-  /// everything waits for, passes through one multiplication and one addition only.
+  /// The terms are added in the order of the stages, each one product: the derivative computed
+  /// last, the one everything waits for, passes through one multiplication and one addition only.
   template <int Row, int... J>
   static double weightedSum(const Derivatives& k, int i, double h, double from,
                             std::integer_sequence<int, J...>) {

@@ -155,8 +155,9 @@ class Solver {
     double step, last;  ///< s; length of every step but the last, and of the last
     std::int64_t steps;
   };
-  /// A span that is a multiple of the set step up to rounding takes the set step itself, so that neither the
-  /// history of ABM4 nor the constants of the exponential method are thrown away for nothing.
+  /// A span that is a multiple of the set step up to rounding takes the set step itself, so that
+  /// neither the history of ABM4 nor the constants of the exponential method are thrown away for
+  /// nothing.
   [[nodiscard]] Division divide(double end, bool sampled) const {
     const double span = end - time_;
     const double h = settings_.step;
@@ -169,7 +170,8 @@ class Solver {
     return {h, span - (count - 1.0) * h, steps};
   }
 
-  /// The steps of equal length in one go, as far as they are finite and within the budget. Returns how many.
+  /// The steps of equal length in one go, as far as they are finite and within the budget. Returns
+  /// how many.
   template <class S>
   std::int64_t runEqual(S& stepper, const Division& d, double end, State& y) {
     const std::int64_t equal = d.last == d.step ? d.steps : d.steps - 1;
@@ -221,7 +223,8 @@ class Solver {
     return Status::Done;
   }
 
-  /// Takes over the step from (time_, before) to (reached, y). False if the watch ends the run there.
+  /// Takes over the step from (time_, before) to (reached, y). False if the watch ends the run
+  /// there.
   template <class S>
   bool accept(S& stepper, double h, double reached, const State& before, State& y,
               const Watch<State>* watch) {

@@ -1,9 +1,9 @@
 // Chooses the step of the embedded methods from their local error. Scaled control after Hairer,
 // Norsett, Wanner I, section II.4 (elementary: h_new = safety h err^(-1/5)) and the PI controller
 // of dopri5 (II, section IV.2, beta = 0.04); the 2014 thesis' control is the elementary one with an
-// absolute tolerance and no limits.
-// Scaled control keeps a step it would change by less than a few percent: where steps change all the time,
-// each has to wait for the error of the one before it, and a kept step is nearly as good.
+// absolute tolerance and no limits. Scaled control keeps a step it would change by less than a few
+// percent: where steps change all the time, each has to wait for the error of the one before it,
+// and a kept step is nearly as good.
 #pragma once
 
 #include <Eigen/Core>

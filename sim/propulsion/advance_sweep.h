@@ -1,5 +1,5 @@
-// What a propeller does over the advance ratio at one rotor speed, as wind tunnels report it: T = CT rho n^2 D^4,
-// P = CP rho n^3 D^5, J = V/(n D), eta = J CT/CP, n in turns per second.
+// What a propeller does over the advance ratio at one rotor speed, as wind tunnels report it: T =
+// CT rho n^2 D^4, P = CP rho n^3 D^5, J = V/(n D), eta = J CT/CP, n in turns per second.
 //   McCormick, Aerodynamics, Aeronautics and Flight Mechanics, 2nd ed., ch. 6
 #pragma once
 
@@ -25,8 +25,8 @@ struct AdvanceSweep {
   std::optional<double> zeroThrust;  ///< J between the points where thrust changes sign
 };
 
-/// Coefficients of loads that are known, at speed omega in rad/s and an axial speed in m/s; all 0 where there is no
-/// speed or no air.
+/// Coefficients of loads that are known, at speed omega in rad/s and an axial speed in m/s; all 0
+/// where there is no speed or no air.
 AdvancePoint coefficientsOf(const AxialLoad& load, double omega, double axialSpeed, double diameter,
                             double density);
 

@@ -9,8 +9,8 @@ constexpr double kChordOfFit = 0.18;    // c/R at which zeroLiftChord has no eff
 constexpr double kLeastReynolds = 5e3;  // below and above the measured range
 constexpr double kMostReynolds = 5e5;   // the constants stay as they are
 
-/// ln(Re/1e5), the Reynolds number kept within its range without a kink at the ends: the sixth powers are added
-/// below, their inverses above.
+/// ln(Re/1e5), the Reynolds number kept within its range without a kink at the ends: the sixth
+/// powers are added below, their inverses above.
 double limitedLog(double reynolds) {
   const auto sixth = [](double x) { return x * x * x * x * x * x; };
   const double raised = sixth(reynolds / kReynoldsOfFit) + sixth(kLeastReynolds / kReynoldsOfFit);

@@ -1,8 +1,9 @@
-// Lift and drag of a typical model-propeller section over the full circle of angles of attack, where
-// the true section is unknown: a thin aerofoil whose constants follow the Reynolds number, a smooth
-// stall, and a flat plate beyond it. The constants are global: they were fitted once to the static
-// and in-flight coefficients of 101 propellers (UIUC Propeller Data Site: Brandt, Deters, Ananda,
-// Selig), never to one propeller. Angles in rad. Valid for Reynolds numbers of about 1e4 to 3e5.
+// Lift and drag of a typical model-propeller section over the full circle of angles of attack,
+// where the true section is unknown: a thin aerofoil whose constants follow the Reynolds number, a
+// smooth stall, and a flat plate beyond it. The constants are global: they were fitted once to the
+// static and in-flight coefficients of 101 propellers (UIUC Propeller Data Site: Brandt, Deters,
+// Ananda, Selig), never to one propeller. Angles in rad. Valid for Reynolds numbers of about 1e4 to
+// 3e5.
 //   plate:       S. F. Hoerner, Fluid-Dynamic Drag, 1965, ch. 3
 //   stall delay: H. Snel, R. Houwink, J. Bosschers, ECN-C-93-052, 1994
 #pragma once
@@ -32,18 +33,19 @@ inline double logistic(double x) {
   return 1 / (1 + std::exp(-x));
 }
 
-/// Normal force of a flat plate against the sine of the angle of attack, over that broadside (Hoerner):
-/// sin a/(0.56 + 0.44 |sin a|), odd.
+/// Normal force of a flat plate against the sine of the angle of attack, over that broadside
+/// (Hoerner): sin a/(0.56 + 0.44 |sin a|), odd.
 inline double plateNormalForce(double sine) {
   return sine / (0.56 + 0.44 * std::abs(sine));
 }
 /// Normal-force coefficient of a flat plate broadside to the flow without end effects (Hoerner).
 inline constexpr double kBroadside = 2.0;
 
-/// The constants of the analytic section, with L = ln(Re/1e5). Defaults: together with the momentum factor and the
-/// weight of the printed pitch one fit to 101 propellers, by an evolution strategy (CMA-ES, N. Hansen, 2006) for small
-/// medians and 90 % quantiles of the errors sim/validation/propeller_scores.h describes, among those sets of constants
-/// that keep the thrust stand and the full-scale propeller of sim/validation within their limits.
+/// The constants of the analytic section, with L = ln(Re/1e5). Defaults: together with the momentum
+/// factor and the weight of the printed pitch one fit to 101 propellers, by an evolution strategy
+/// (CMA-ES, N. Hansen, 2006) for small medians and 90 % quantiles of the errors
+/// sim/validation/propeller_scores.h describes, among those sets of constants that keep the thrust
+/// stand and the full-scale propeller of sim/validation within their limits.
 struct SectionConstants {
   double liftSlope = 6.53;             ///< 1/rad at Re 1e5
   double liftSlopeReynolds = 0.017;    ///< the slope goes with exp(this L)

@@ -1,8 +1,11 @@
-// A battery pack of N_s cells in series and N_p in parallel, as an equivalent circuit: open-circuit voltage over
-// the state of charge, a series resistance and one RC pair. SI units; charge in coulomb.
+// A battery pack of N_s cells in series and N_p in parallel, as an equivalent circuit: open-circuit
+// voltage over the state of charge, a series resistance and one RC pair. SI units; charge in
+// coulomb.
 //   v = N_s OCV(z) - v_rc - R_0 i,   dz/dt = -i/(N_p Q),   dv_rc/dt = (R_1 i - v_rc)/tau_1
-//   M. Chen, G. A. Rincon-Mora, "Accurate electrical battery model capable of predicting runtime and I-V
-//   performance", IEEE Trans. Energy Conversion 21 (2006) 504-511, with the shorter of its two RC pairs.
+//   M. Chen, G. A. Rincon-Mora, "Accurate electrical battery model capable of predicting runtime
+//     and I-V
+//   performance", IEEE Trans. Energy Conversion 21 (2006) 504-511, with the shorter of its two RC
+//     pairs.
 #pragma once
 
 #include <array>
@@ -41,12 +44,14 @@ struct BatteryParameters {
 
 using SupplyModel = std::variant<SupplyParameters, BatteryParameters>;
 
-/// A supply ready to be computed with: a battery, or a fixed voltage as a battery that never empties.
+/// A supply ready to be computed with: a battery, or a fixed voltage as a battery that never
+/// empties.
 class Supply {
  public:
   explicit Supply(const SupplyModel& model);
 
-  /// Open-circuit voltage of the pack in V at state of charge z; held constant beyond 0 and 1. Any scalar.
+  /// Open-circuit voltage of the pack in V at state of charge z; held constant beyond 0 and 1. Any
+  /// scalar.
   template <class S>
   [[nodiscard]] S openCircuit(const S& z) const {
     using std::max;
@@ -58,8 +63,9 @@ class Supply {
     return S(voltages_[i] + (place - S(cell)) * (voltages_[i + 1] - voltages_[i]));
   }
 
-  /// Seconds for which the pack gives a constant power in W from a state of charge on, polarised as after a long time,
-  /// until it is empty or below its cut-off; infinite for a supply that never empties and for no power.
+  /// Seconds for which the pack gives a constant power in W from a state of charge on, polarised as
+  /// after a long time, until it is empty or below its cut-off; infinite for a supply that never
+  /// empties and for no power.
   [[nodiscard]] double secondsAt(double power, double stateOfCharge) const;
 
   double resistance = 0;               ///< R_0 of the pack, Ohm

@@ -1,6 +1,6 @@
 // The shape of a propeller's blades: chord and twist along the radius, the number of blades, the
-// diameter and what is printed on the propeller. Radii and chords are fractions of the tip radius R,
-// angles in rad, measured from the plane of rotation to the chord line.
+// diameter and what is printed on the propeller. Radii and chords are fractions of the tip radius
+// R, angles in rad, measured from the plane of rotation to the chord line.
 #pragma once
 
 #include <variant>
@@ -51,10 +51,10 @@ struct BladeShape {
   double twist;  ///< rad, with offset and blend
 };
 
-/// Twist to take off everywhere, rad: 41 % of what the twist at 75 % radius differs from the printed
-/// pitch, atan(P/(0.75 pi D)). Digitised twist and printed pitch are both uncertain by some degrees; a
-/// mean of both was found to be the better guess, its weight fitted with the section's constants
-/// (analytic_section.h). 0 where no pitch is known.
+/// Twist to take off everywhere, rad: 41 % of what the twist at 75 % radius differs from the
+/// printed pitch, atan(P/(0.75 pi D)). Digitised twist and printed pitch are both uncertain by some
+/// degrees; a mean of both was found to be the better guess, its weight fitted with the section's
+/// constants (analytic_section.h). 0 where no pitch is known.
 double nominalPitchBlend(const PropellerGeometry& geometry);
 
 /// Linear between stations, the end values beyond them; `blend` from nominalPitchBlend().

@@ -20,9 +20,10 @@ struct Flow {
   double axial, tangential, swirl, speedSquared, sine, cosine, angle;
 };
 
-/// Tangential velocity induced along with `induced`, which adds to the axial stream: together they are normal to the
-/// resulting flow (QPROP), u (V_t - u) = v (V + v). A blade that drives the air takes at most half the turning out of it;
-/// one that is driven adds no more than half of it, or near a standstill the swirl would keep itself up.
+/// Tangential velocity induced along with `induced`, which adds to the axial stream: together they
+/// are normal to the resulting flow (QPROP), u (V_t - u) = v (V + v). A blade that drives the air
+/// takes at most half the turning out of it; one that is driven adds no more than half of it, or
+/// near a standstill the swirl would keep itself up.
 double swirlOf(double induced, double axialStream, double turning) {
   const double square = turning * turning, product = 4 * induced * (axialStream + induced);
   if (product >= 0)
@@ -221,8 +222,8 @@ void BladeElementRotor::addOblique(const Element& e, double omega, double axialS
   const double speed =
       std::sqrt(turning * turning + axialSpeed * axialSpeed + inPlaneSpeed * inPlaneSpeed / 2);
   if (speed == 0 || e.solidity == 0) return;
-  // The swirl is one for the annulus, like the induced velocity. Where the in-plane stream gives most of the section's speed,
-  // what the blades turn cancels around the azimuth.
+  // The swirl is one for the annulus, like the induced velocity. Where the in-plane stream gives
+  // most of the section's speed, what the blades turn cancels around the azimuth.
   const double square = turning * turning,
                turned = square > 0 ? square / (square + inPlaneSpeed * inPlaneSpeed / 2) : 0;
   const double tip = omega * radius_;

@@ -1,6 +1,7 @@
-// A root between two points where a function changes sign: bisection that turns to inverse quadratic
-// interpolation where that is safe. T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm
-// for finding the zero of a nonlinear function", Advances in Engineering Software 28, 1997.
+// A root between two points where a function changes sign: bisection that turns to inverse
+// quadratic interpolation where that is safe. T. R. Chandrupatla, "A new hybrid quadratic/bisection
+// algorithm for finding the zero of a nonlinear function", Advances in Engineering Software 28,
+// 1997.
 #pragma once
 
 #include <algorithm>
@@ -8,8 +9,9 @@
 
 namespace rotorbench {
 
-/// x between a and b with f(x) = 0, to within `tolerance` (above 0); fa = f(a) and fb = f(b) have opposite
-/// signs or one is 0. Ends after at most 100 evaluations, of which bisection alone needs 60.
+/// x between a and b with f(x) = 0, to within `tolerance` (above 0); fa = f(a) and fb = f(b) have
+/// opposite signs or one is 0. Ends after at most 100 evaluations, of which bisection alone needs
+/// 60.
 template <class Function>
 double bracketedRoot(const Function& f, double a, double fa, double b, double fb,
                      double tolerance) {

@@ -1,5 +1,5 @@
-// A transport delay: a command acts a fixed time after it was given, exactly and not rounded to the step of whoever
-// gives it. Times in s, the value in whatever unit the command has.
+// A transport delay: a command acts a fixed time after it was given, exactly and not rounded to the
+// step of whoever gives it. Times in s, the value in whatever unit the command has.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,8 @@ namespace rotorbench {
 
 class CommandDelay {
  public:
-  /// `delay` not negative; commands are given at least `interval` (above 0) apart, but for rounding.
+  /// `delay` not negative; commands are given at least `interval` (above 0) apart, but for
+  /// rounding.
   CommandDelay(double delay, double interval)
       : delay_(delay), waiting_(static_cast<std::size_t>(std::ceil(delay / interval)) + 2) {}
 

@@ -24,7 +24,8 @@ CubicTable::CubicTable(const RefinedGrid& grid) {
       }
     }
   }
-  // Beyond the ends of the other two axes, margins of the first included: mirrored, or on a parabola.
+  // Beyond the ends of the other two axes, margins of the first included: mirrored, or on a
+  // parabola.
   const auto margin = [&](std::size_t axis, std::size_t to, std::ptrdiff_t inwards) {
     const bool mirrored = inwards > 0 && grid.axes()[axis].even;
     const float* from = &values_[to];

@@ -1,5 +1,6 @@
-// Four functions of three coordinates, read between the points of a uniform grid by Catmull-Rom cubics: once
-// differentiable, over any scalar. Held in single precision, which is far finer than any grid.
+// Four functions of three coordinates, read between the points of a uniform grid by Catmull-Rom
+// cubics: once differentiable, over any scalar. Held in single precision, which is far finer than
+// any grid.
 #pragma once
 
 #include <cmath>
@@ -20,8 +21,8 @@ void catmullRom(const S& t, S (&weight)[4]) {
   weight[3] = -0.5 * s * t * t;
 }
 
-/// Interval of a coordinate in units of the grid, 0 to `last`, and the fraction in it: the nearest end holds outside.
-/// NaN is taken as 0.
+/// Interval of a coordinate in units of the grid, 0 to `last`, and the fraction in it: the nearest
+/// end holds outside. NaN is taken as 0.
 template <class S>
 std::size_t gridInterval(const S& coordinate, double last, S& fraction) {
   const double inside = std::fmin(std::fmax(valueOf(coordinate), 0), last);

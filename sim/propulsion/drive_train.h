@@ -1,10 +1,12 @@
-// One motor on a stand: supply -> speed controller -> motor -> load, coupled as they are in a vehicle. SI units; speed
-// positive in the rotor's own sense.
-//   bus       V = OCV(z) - v_rc - R_0 i_bus,   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus - v_rc)/tau_1
+// One motor on a stand: supply -> speed controller -> motor -> load, coupled as they are in a
+// vehicle. SI units; speed positive in the rotor's own sense.
+//   bus       V = OCV(z) - v_rc - R_0 i_bus,   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus -
+//             v_rc)/tau_1
 //   converter see esc.h
-//   motor     L di/dt = v - R i - K w,   J dw/dt = K i - friction(w) - load(w)        thesis 2014, figure 3.11
-// With quasi-static current L is taken as 0: i follows v and w at once, which is exact in the steady state and late by
-// L/R otherwise.
+//   motor     L di/dt = v - R i - K w,   J dw/dt = K i - friction(w) - load(w)        thesis 2014,
+//             figure 3.11
+// With quasi-static current L is taken as 0: i follows v and w at once, which is exact in the
+// steady state and late by L/R otherwise.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,8 +21,8 @@
 
 namespace rotorbench {
 
-/// Coefficients of a propeller on a stand at equal steps of speed from 0 on: they change little with it, so that
-/// straight lines between them do.
+/// Coefficients of a propeller on a stand at equal steps of speed from 0 on: they change little
+/// with it, so that straight lines between them do.
 struct SpeedCurve {
   double step = 1;             ///< rad/s
   std::vector<double> values;  ///< two at least
@@ -64,8 +66,9 @@ struct DriveTrainSetup {
   ShaftLoad load;
   double inertia = 1e-5;  ///< kg m^2 of all that spins
   bool quasiStaticCurrent = false;
-  /// Without saturation: the speed controller gives any share of the voltage, also a negative one or one above 1, and
-  /// no limit holds the current. No real drive can; it shows what the limits do.
+  /// Without saturation: the speed controller gives any share of the voltage, also a negative one
+  /// or one above 1, and no limit holds the current. No real drive can; it shows what the limits
+  /// do.
   bool unlimited = false;
 };
 
@@ -104,8 +107,8 @@ class DriveTrain {
 
   /// At rest, the supply as charged as its parameters say, the command 0.
   [[nodiscard]] State initialState() const;
-  /// Throttle: 0..1, or -1..1 where the speed controller is reversible; more is cut off. Held until the next call;
-  /// `y` takes it at once where the speed controller has no response time.
+  /// Throttle: 0..1, or -1..1 where the speed controller is reversible; more is cut off. Held until
+  /// the next call; `y` takes it at once where the speed controller has no response time.
   void setThrottle(double throttle, State& y);
   [[nodiscard]] double throttle() const { return throttle_; }
   /// What of a throttle the speed controller takes.

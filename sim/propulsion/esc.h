@@ -1,12 +1,13 @@
-// An electronic speed controller as an averaged converter: it puts the share `duty` of the supply's voltage on the
-// motor and takes the share `duty` of the motor's current from the supply. SI units; speed and current positive in the
-// rotor's own sense.
+// An electronic speed controller as an averaged converter: it puts the share `duty` of the supply's
+// voltage on the motor and takes the share `duty` of the motor's current from the supply. SI units;
+// speed and current positive in the rotor's own sense.
 //   lag        dd/dt = (u - d)/T, or d = u without a response time
 //   converter  v = d V - R_esc i,   V i_bus = v i + R_esc i^2,   |v - K w| <= R i_max
-// Without active braking the other halves of its bridges are diodes. The current then flows only the way the duty
-// drives it, s = sign(d), s i >= 0: the terminals are never below the back-EMF, s v >= s K w, so that a current dies
-// away with L/R and leaves the motor alone, and never below a shorted bridge, s v >= -R_esc s i, so that no power
-// returns to the supply, even where a rotor turns against its duty and no limit can hold its current.
+// Without active braking the other halves of its bridges are diodes. The current then flows only
+// the way the duty drives it, s = sign(d), s i >= 0: the terminals are never below the back-EMF, s
+// v >= s K w, so that a current dies away with L/R and leaves the motor alone, and never below a
+// shorted bridge, s v >= -R_esc s i, so that no power returns to the supply, even where a rotor
+// turns against its duty and no limit can hold its current.
 //   R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3
 #pragma once
 
@@ -28,8 +29,9 @@ struct EscParameters {
   bool operator==(const EscParameters&) const = default;
 };
 
-/// How a command becomes the duty, for one speed controller (Real is double) or several at once (Real is an
-/// Eigen::Array of double with one lane each). `u` is the command after any dead time, `d` the state that follows it.
+/// How a command becomes the duty, for one speed controller (Real is double) or several at once
+/// (Real is an Eigen::Array of double with one lane each). `u` is the command after any dead time,
+/// `d` the state that follows it.
 template <class Real>
 struct DutyModel {
   Real inverseResponse{};  ///< 1/s; 0 without a lag
@@ -57,8 +59,8 @@ struct EscConstants : DutyModel<double> {
 
   [[nodiscard]] double allowed(double command) const { return std::clamp(command, least, most); }
 
-  /// Terminal voltage in V of a motor with back-EMF `back` in V: `free` = d V - R_esc i as far as the limit of the
-  /// current and the way it may flow let it. Any scalar.
+  /// Terminal voltage in V of a motor with back-EMF `back` in V: `free` = d V - R_esc i as far as
+  /// the limit of the current and the way it may flow let it. Any scalar.
   template <class S>
   [[nodiscard]] S voltage(const MotorConstants& motor, const S& duty, const S& current,
                           const S& free, const S& back) const {
@@ -70,8 +72,8 @@ struct EscConstants : DutyModel<double> {
     const S bottom = max(S(way * back), S(-way * resistance * current));
     return S(way * max(S(min(S(way * free), S(way * back + band))), bottom));
   }
-  /// The same for a winding without inductance: the current in A that flows at once, of the one that would without
-  /// limits.
+  /// The same for a winding without inductance: the current in A that flows at once, of the one
+  /// that would without limits.
   template <class S>
   [[nodiscard]] S quasiStaticCurrent(const MotorConstants& motor, const S& duty, const S& free,
                                      const S& back) const {
@@ -82,7 +84,8 @@ struct EscConstants : DutyModel<double> {
     const S bottom = max(S(0), S(-way * back / (motor.resistance + resistance)));
     return S(way * max(S(min(S(way * free), S(maxCurrent))), bottom));
   }
-  /// Without active braking a current against the duty, which the last step or a reversal left, is none.
+  /// Without active braking a current against the duty, which the last step or a reversal left, is
+  /// none.
   void settle(double duty, double& current) const {
     if (!activeBraking && wayOf(duty) * current < 0) current = 0;
   }

@@ -1,9 +1,10 @@
-// The induced velocity at which a residual R(v) vanishes. In hover and climb there is one root. In descent,
-// stalled sections leave several; then the roots' alternating sum is taken, first less second plus third, which
-// is the length of v over which R still has the sign it has at 0. It leads from the lone root on one side of such
-// a range to the one on the other without a jump, through the middle of the hysteresis. In fast descent that
-// length is measured with a soft edge instead, for the inflow of a vortex ring is a mean over fluctuations
-// anyway: the loads become smooth there and can be tabulated.
+// The induced velocity at which a residual R(v) vanishes. In hover and climb there is one root. In
+// descent, stalled sections leave several; then the roots' alternating sum is taken, first less
+// second plus third, which is the length of v over which R still has the sign it has at 0. It leads
+// from the lone root on one side of such a range to the one on the other without a jump, through
+// the middle of the hysteresis. In fast descent that length is measured with a soft edge instead,
+// for the inflow of a vortex ring is a mean over fluctuations anyway: the loads become smooth there
+// and can be tabulated.
 #pragma once
 
 #include <array>
@@ -25,9 +26,10 @@ struct RootRule {
   bool many = false;    ///< look for several roots
   double softness = 0;  ///< weight of the soft edge, 0 to 1
 
-  /// In axial flow one root above J = -0.1, several below, the soft edge coming in from -0.35 to -0.6. In a stream from the
-  /// side, `edgewise` times the tips' speed, the blades pass all angles of attack in every turn, and their annuli jump
-  /// between roots one after the other: from an edgewise ratio of 0.05 on the soft edge comes in from -0.05 to -0.2.
+  /// In axial flow one root above J = -0.1, several below, the soft edge coming in from -0.35 to
+  /// -0.6. In a stream from the side, `edgewise` times the tips' speed, the blades pass all angles
+  /// of attack in every turn, and their annuli jump between roots one after the other: from an
+  /// edgewise ratio of 0.05 on the soft edge comes in from -0.05 to -0.2.
   static RootRule at(double advance, double edgewise = 0) {
     constexpr double kFullyEdgewise = 0.05;
     constexpr double kSeveral[] = {-0.1, -0.05}, kSoftFrom[] = {-0.35, -0.05},
@@ -74,9 +76,10 @@ double alternatingRoots(const Residual& residual, const ResidualSamples& samples
   return sum;
 }
 
-/// The same length with a soft edge: the integral of 1/(1 + exp(R/e)), R taken as straight between its samples. It begins
-/// before 0, so that the edge of a small root is not cut off; outside the samples R goes on with a slope of 1, as it does
-/// far away. So a straight R gives its root wherever the samples end.
+/// The same length with a soft edge: the integral of 1/(1 + exp(R/e)), R taken as straight between
+/// its samples. It begins before 0, so that the edge of a small root is not cut off; outside the
+/// samples R goes on with a slope of 1, as it does far away. So a straight R gives its root
+/// wherever the samples end.
 inline double softRoot(const ResidualSamples& samples) {
   constexpr double kEdge = 0.08;  // e as a part of the end
   const auto softplus = [](double x) {
@@ -98,8 +101,9 @@ inline double softRoot(const ResidualSamples& samples) {
   return sign * (sum + edge * area);
 }
 
-/// Induced velocity, m/s, for a residual that tends to v for large v. The bracket starts with `reach`, the
-/// induced velocity at which the section has no lift; `speed` is that of the section, m/s, above 0.
+/// Induced velocity, m/s, for a residual that tends to v for large v. The bracket starts with
+/// `reach`, the induced velocity at which the section has no lift; `speed` is that of the section,
+/// m/s, above 0.
 template <class Residual>
 double inflowRoot(const Residual& residual, double reach, double speed, RootRule rule) {
   constexpr double kLeastBracket = 0.02, kGrowth = 1.4;
@@ -107,7 +111,8 @@ double inflowRoot(const Residual& residual, double reach, double speed, RootRule
   if (atZero == 0) return 0;
   const double least = kLeastBracket * speed;
   double end = atZero < 0 ? std::max(reach, least) : std::min(reach, -least);
-  // The length of the bracket is part of a soft answer: it must not depend on the sign of next to nothing.
+  // The length of the bracket is part of a soft answer: it must not depend on the sign of next to
+  // nothing.
   if (rule.many) end = std::copysign(std::max(std::abs(reach), least), -atZero);
   double atEnd = residual(end);
   double shorter = end, atShorter = atEnd;

@@ -84,7 +84,8 @@ struct RotorModel {
 RotorModel<double> lumpedModel(const RotorCoefficients& c);
 RotorModel<double> lumpedModel(const PropellerCoefficients& c);
 
-/// Thrust and torque of a propeller per air density and speed squared (rad/s), from its coefficients CT and CP.
+/// Thrust and torque of a propeller per air density and speed squared (rad/s), from its
+/// coefficients CT and CP.
 struct SquareFactors {
   double thrust;  ///< m^4: T = thrust rho w^2
   double torque;  ///< m^5

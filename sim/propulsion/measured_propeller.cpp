@@ -84,7 +84,8 @@ CoefficientPoint restOf(const Points& curve, const Points& still) {
   return rest;
 }
 
-/// A speed known at rest only: the curve nearest in speed, moved at rest and less and less up to its end.
+/// A speed known at rest only: the curve nearest in speed, moved at rest and less and less up to
+/// its end.
 Points movedCurve(const std::vector<Points>& curves, const CoefficientPoint& rest) {
   Points curve = *std::ranges::min_element(
       curves, {}, [&](const Points& c) { return std::abs(c.front().speed - rest.speed); });
@@ -99,15 +100,16 @@ Points movedCurve(const std::vector<Points>& curves, const CoefficientPoint& res
   return curve;
 }
 
-/// Fritsch and Butland's slope at a point between two secants of steps h and k; 0 at a turning point.
+/// Fritsch and Butland's slope at a point between two secants of steps h and k; 0 at a turning
+/// point.
 double innerSlope(double h, double before, double k, double after) {
   if (!(before * after > 0)) return 0;
   const double a = 2 * k + h, b = k + 2 * h;
   return (a + b) / (a / before + b / after);
 }
 
-/// Slope at an end, of the parabola through three points, kept monotone (C. Moler, Numerical Computing with MATLAB,
-/// section 3.6).
+/// Slope at an end, of the parabola through three points, kept monotone (C. Moler, Numerical
+/// Computing with MATLAB, section 3.6).
 double endSlope(double h, double first, double k, double second) {
   const double slope = ((2 * h + k) * first - h * second) / (h + k);
   if (slope * first <= 0) return 0;
@@ -224,7 +226,8 @@ std::vector<Problem> pointProblems(const MeasuredPropeller& p) {
 }
 
 std::vector<CoefficientPoint> MeasuredPropeller::slowFlyer10x47() {
-  // 4014 and 6512 rpm in the tunnel (files kt0836, rd0841, rd0842), at rest from the static test (kt0835).
+  // 4014 and 6512 rpm in the tunnel (files kt0836, rd0841, rd0842), at rest from the static test
+  // (kt0835).
   constexpr double kSlow = 420.3, kFast = 681.9;
   return {{kSlow, 0, 0.1158, 0.0466},      {kSlow, 0.142, 0.0994, 0.0451},
           {kSlow, 0.216, 0.0885, 0.0436},  {kSlow, 0.289, 0.0770, 0.0414},

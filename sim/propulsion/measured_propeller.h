@@ -1,13 +1,15 @@
-// A propeller by measured coefficients, from a wind tunnel or a stand: T = CT rho n^2 D^4, P = CP rho n^3 D^5 against the
-// advance ratio J = V/(n D) and, where it was measured, the speed. Between points of one speed a monotone cubic (F. N.
-// Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5, 1984), between speeds straight lines, beyond the slowest and the
-// fastest the nearest.
+// A propeller by measured coefficients, from a wind tunnel or a stand: T = CT rho n^2 D^4, P = CP
+// rho n^3 D^5 against the advance ratio J = V/(n D) and, where it was measured, the speed. Between
+// points of one speed a monotone cubic (F. N. Fritsch, J. Butland, SIAM J. Sci. Stat. Comput. 5,
+// 1984), between speeds straight lines, beyond the slowest and the fastest the nearest.
 //
-// Worked out in thrust and torque over 0.5 rho A U^2, U = hypot(V, 0.75 Om R), against the direction of the air at 75 %
-// radius, chi = atan2(V, 0.75 Om R), as PropellerMap does: finite where the propeller stands in a stream. Beyond the
-// measured J a cubic leads, with the slope of the last point, to a propeller that stands (kParkedThrust, kParkedTorque):
-// past zero thrust it works as a windmill and brakes, below J = 0 it descends. That is a guess of the right kind and
-// size, not a measurement. In-plane air speed acts by the coefficients of InPlaneFlow. SI, rad; frame as in rotor.h.
+// Worked out in thrust and torque over 0.5 rho A U^2, U = hypot(V, 0.75 Om R), against the
+// direction of the air at 75 % radius, chi = atan2(V, 0.75 Om R), as PropellerMap does: finite
+// where the propeller stands in a stream. Beyond the measured J a cubic leads, with the slope of
+// the last point, to a propeller that stands (kParkedThrust, kParkedTorque): past zero thrust it
+// works as a windmill and brakes, below J = 0 it descends. That is a guess of the right kind and
+// size, not a measurement. In-plane air speed acts by the coefficients of InPlaneFlow. SI, rad;
+// frame as in rotor.h.
 #pragma once
 
 #include <cmath>
@@ -29,7 +31,8 @@ struct CoefficientPoint {
   bool operator==(const CoefficientPoint&) const = default;
 };
 
-/// What in-plane air speed does to a rotor whose axial flow is known, at an air density of 1.225 kg/m^3.
+/// What in-plane air speed does to a rotor whose axial flow is known, at an air density of 1.225
+/// kg/m^3.
 struct InPlaneFlow {
   double drag = 0;               ///< k_d, N s^2/m: in-plane force per rotor speed and air speed
   double translationalLift = 0;  ///< k_h, N s^2/m^2: thrust per in-plane air speed squared
@@ -37,8 +40,9 @@ struct InPlaneFlow {
   bool operator==(const InPlaneFlow&) const = default;
 };
 
-/// Points in any order. Speeds within 2 % of each other are one curve; a curve without a point at rest takes it from
-/// the points measured at rest alone (a static test), or is continued straight to it. Default: APC 10x4.7 slow flyer.
+/// Points in any order. Speeds within 2 % of each other are one curve; a curve without a point at
+/// rest takes it from the points measured at rest alone (a static test), or is continued straight
+/// to it. Default: APC 10x4.7 slow flyer.
 struct MeasuredPropeller {
   double diameter = 0.254;  ///< m
   std::vector<CoefficientPoint> points = slowFlyer10x47();
@@ -51,8 +55,9 @@ struct MeasuredPropeller {
 /// What no curve can be made of; empty if one can. Paths are relative to the propeller.
 std::vector<Problem> pointProblems(const MeasuredPropeller& propeller);
 
-/// Thrust and torque coefficients of a standing propeller in an axial stream from the front, over 0.5 rho V^2 A and
-/// (the torque) R; against the thrust and with the rotation. The mean of the blade-element solutions of 101 propellers.
+/// Thrust and torque coefficients of a standing propeller in an axial stream from the front, over
+/// 0.5 rho V^2 A and (the torque) R; against the thrust and with the rotation. The mean of the
+/// blade-element solutions of 101 propellers.
 inline constexpr double kParkedThrust = 0.2, kParkedTorque = 0.035;
 
 /// The measured coefficients made ready. Any scalar; no heap and no exception in load().
@@ -61,8 +66,9 @@ class CoefficientTable {
   /// The propeller must satisfy its schema.
   explicit CoefficientTable(const MeasuredPropeller& propeller);
 
-  /// Speed w in rad/s (turning backwards by the rule of BladeElementRotor::axial()), hub velocity against the air in
-  /// m/s and unit axis in body axes, spin +1 or -1, density in kg/m^3. Finite for all finite numbers.
+  /// Speed w in rad/s (turning backwards by the rule of BladeElementRotor::axial()), hub velocity
+  /// against the air in m/s and unit axis in body axes, spin +1 or -1, density in kg/m^3. Finite
+  /// for all finite numbers.
   template <class S, class Vector, class Axis>
   [[nodiscard]] RotorLoad<S, Vector> load(const S& w, const Vector& v, const Axis& axis,
                                           double spin, const S& density) const {
@@ -104,7 +110,8 @@ class CoefficientTable {
     return {S(scale * c.thrust), S(scale * radius_ * c.torque)};
   }
 
-  /// Over 0.5 rho A U^2 (and R), for a direction of the air in rad and a speed in rad/s, not negative.
+  /// Over 0.5 rho A U^2 (and R), for a direction of the air in rad and a speed in rad/s, not
+  /// negative.
   template <class S>
   [[nodiscard]] Coefficients<S> coefficients(const S& direction, const S& speed) const {
     std::size_t i = 0;
@@ -119,14 +126,15 @@ class CoefficientTable {
 
   [[nodiscard]] double radius() const { return radius_; }
 
-  /// What was measured. Speeds in rad/s, from 0 to infinity where the points hold at every speed; a speed within 2 % of
-  /// a measured one counts as measured. Advance ratios are those known at the speed asked for and its neighbours.
+  /// What was measured. Speeds in rad/s, from 0 to infinity where the points hold at every speed; a
+  /// speed within 2 % of a measured one counts as measured. Advance ratios are those known at the
+  /// speed asked for and its neighbours.
   struct Limits {
     double leastSpeed, mostSpeed;
     double leastAdvance, mostAdvance;
   };
-  /// The limits at a speed in rad/s, not negative; beyond the measured ones the nearest has a say. The least advance
-  /// ratio may lie above the most where two neighbours have none in common.
+  /// The limits at a speed in rad/s, not negative; beyond the measured ones the nearest has a say.
+  /// The least advance ratio may lie above the most where two neighbours have none in common.
   [[nodiscard]] Limits limits(double speed) const;
 
   /// CT and CP at one advance ratio, with their slopes against it.
@@ -153,7 +161,8 @@ class CoefficientTable {
 
   /// The coefficients of one speed.
   struct Curve {
-    /// A place beyond which nothing was measured: coefficients and their slopes against the direction.
+    /// A place beyond which nothing was measured: coefficients and their slopes against the
+    /// direction.
     struct End {
       double direction, thrust, torque, thrustSlope, torqueSlope;
     };

@@ -69,8 +69,8 @@ struct MotorConstants : MotorModel<double> {
 
 MotorConstants buildMotor(const MotorParameters& parameters);
 
-/// Largest magnitude of the poles of current and speed, 1/s: [di/dt; dw/dt] = [[-r/L, -K/L], [K/J, -d/J]] with a
-/// resistance r in Ohm, a drag d = dQ/dw in N m s and an inertia J in kg m^2.
+/// Largest magnitude of the poles of current and speed, 1/s: [di/dt; dw/dt] = [[-r/L, -K/L], [K/J,
+/// -d/J]] with a resistance r in Ohm, a drag d = dQ/dw in N m s and an inertia J in kg m^2.
 double fastestPole(const MotorConstants& motor, double resistance, double drag, double inertia);
 
 /// A source of fixed voltage behind an internal resistance, shared by all motors.

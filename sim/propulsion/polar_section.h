@@ -1,8 +1,9 @@
-// Sections known by their polars: lift and drag coefficients against the angle of attack, measured or
-// computed at one or several Reynolds numbers. Between polars the coefficients are linear in ln Re,
-// between points in the angle; outside the range of Reynolds numbers the nearest polar holds. Beyond
-// the last point the values glide to Hoerner's flat plate, so that all angles have an answer. Angles in rad.
-// Also reads the text files XFOIL and XFLR5 write (M. Drela, XFOIL 6.9 User Guide, command PACC).
+// Sections known by their polars: lift and drag coefficients against the angle of attack, measured
+// or computed at one or several Reynolds numbers. Between polars the coefficients are linear in ln
+// Re, between points in the angle; outside the range of Reynolds numbers the nearest polar holds.
+// Beyond the last point the values glide to Hoerner's flat plate, so that all angles have an
+// answer. Angles in rad. Also reads the text files XFOIL and XFLR5 write (M. Drela, XFOIL 6.9 User
+// Guide, command PACC).
 #pragma once
 
 #include <string>
@@ -28,8 +29,9 @@ struct Polar {
   bool operator==(const Polar&) const = default;
 };
 
-/// A section given by polars, at least one. The stall delay of Snel moves the lift of the polar towards the line
-/// of attached flow by stallDelay (c/r)^2 of the difference (Snel's own value is 3; 0 leaves it out).
+/// A section given by polars, at least one. The stall delay of Snel moves the lift of the polar
+/// towards the line of attached flow by stallDelay (c/r)^2 of the difference (Snel's own value is
+/// 3; 0 leaves it out).
 struct PolarSection {
   std::string name = "flat plate";
   std::vector<Polar> polars = thinSection();
@@ -37,14 +39,15 @@ struct PolarSection {
 
   bool operator==(const PolarSection&) const = default;
 
-  /// A flat plate in attached flow to +-10 degrees: what a new polar section holds until it is filled.
+  /// A flat plate in attached flow to +-10 degrees: what a new polar section holds until it is
+  /// filled.
   static std::vector<Polar> thinSection();
 };
 
-/// A text polar of XFOIL or XFLR5: a header that says "Re = 0.100 e 6", a line of names with alpha, CL and CD, a
-/// line of dashes, then one line of numbers per angle (degrees). Points are sorted by angle. Throws InputError
-/// naming the line at fault if there is no Reynolds number, no table, fewer than two angles, an angle twice,
-/// a number that cannot be read or a negative drag.
+/// A text polar of XFOIL or XFLR5: a header that says "Re = 0.100 e 6", a line of names with alpha,
+/// CL and CD, a line of dashes, then one line of numbers per angle (degrees). Points are sorted by
+/// angle. Throws InputError naming the line at fault if there is no Reynolds number, no table,
+/// fewer than two angles, an angle twice, a number that cannot be read or a negative drag.
 Polar readXfoilPolar(std::string_view text, const std::string& source);
 
 /// One uniform table of a polar over the full circle, made once.
@@ -74,8 +77,8 @@ class PolarTable {
   double logReynolds_ = 0, zeroLift_ = 0, liftSlope_ = 0;
 };
 
-/// The polars of a section at one place and one Reynolds number: two tables and a weight. Valid while the
-/// prepared section lives.
+/// The polars of a section at one place and one Reynolds number: two tables and a weight. Valid
+/// while the prepared section lives.
 class PolarCurve {
  public:
   PolarCurve() = default;

@@ -31,7 +31,8 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
     for (std::size_t k = 0; k < directions; ++k) {
       const double chi = static_cast<double>(k) / directionsPerAngle_ - std::numbers::pi / 2;
-      // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant below it.
+      // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant
+      // below it.
       const double omega = std::fmax(0, speed * std::cos(chi) / (kReferenceRadius * radius_));
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
       row[k] = {load.thrust * scale, load.torque * scale / radius_};
@@ -65,8 +66,8 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
 
 GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction, double sideAngle,
                                 double logReynolds) const {
-  // Of what is divided by the sine the limit is wanted at no in-plane speed: so small an angle is near enough, the
-  // values being even in it.
+  // Of what is divided by the sine the limit is wanted at no in-plane speed: so small an angle is
+  // near enough, the values being even in it.
   constexpr double kLeastAngle = 0.01;
   const AirState air;
   const double speed = std::exp(logReynolds) * air.viscosity / (air.density * radius_);
@@ -85,8 +86,8 @@ GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction
   return values;
 }
 
-/// `share` of the static thrust and five times that of the static torque. Of a blade that hardly lifts at rest, of a part of
-/// the most it does in any direction.
+/// `share` of the static thrust and five times that of the static torque. Of a blade that hardly
+/// lifts at rest, of a part of the most it does in any direction.
 GridValues PropellerMap::sideTolerance(double share) const {
   constexpr double kLeastPart = 0.05;
   ThrustAndTorque most;

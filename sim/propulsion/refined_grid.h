@@ -1,7 +1,8 @@
-// Four functions of three coordinates on a uniform grid, solved only where interpolation between points already solved
-// would not do: first a coarse grid, then one axis after the other is halved. A new point is solved if a point nearby
-// differs too much from the cubic through its neighbours, and interpolated by that cubic if not. A cubic's error
-// falls 16-fold with half the spacing where the functions are smooth, and still about 4-fold at the kinks of a stall.
+// Four functions of three coordinates on a uniform grid, solved only where interpolation between
+// points already solved would not do: first a coarse grid, then one axis after the other is halved.
+// A new point is solved if a point nearby differs too much from the cubic through its neighbours,
+// and interpolated by that cubic if not. A cubic's error falls 16-fold with half the spacing where
+// the functions are smooth, and still about 4-fold at the kinks of a stall.
 //   after H.-J. Bungartz, M. Griebel, Sparse grids, Acta Numerica 13, 2004 (hierarchical surplus)
 // Coordinates run from 0 to 1 along every axis; the values have whatever units the functions have.
 #pragma once
@@ -28,8 +29,8 @@ class RefinedGrid {
   using Solve = std::function<GridValues(const GridPlace&)>;
   using Index = std::array<std::size_t, kGridAxes>;
 
-  /// `tolerance`: allowed error of interpolation, above 0. `solve` is called from several threads at once; what comes
-  /// out does not depend on how many there are.
+  /// `tolerance`: allowed error of interpolation, above 0. `solve` is called from several threads
+  /// at once; what comes out does not depend on how many there are.
   RefinedGrid(const std::array<GridAxis, kGridAxes>& axes, const GridValues& tolerance,
               const Solve& solve);
 
@@ -38,8 +39,8 @@ class RefinedGrid {
   [[nodiscard]] GridValues& at(const Index& i) { return values_[offset(i)]; }
   [[nodiscard]] const GridValues& at(const Index& i) const { return values_[offset(i)]; }
   [[nodiscard]] GridPlace place(const Index& i) const;
-  /// The value at a point that may lie up to three points beyond an end of one axis, which is given: mirrored or on a
-  /// parabola through the last three points.
+  /// The value at a point that may lie up to three points beyond an end of one axis, which is
+  /// given: mirrored or on a parabola through the last three points.
   [[nodiscard]] GridValues along(Index i, std::size_t axis, long k) const;
   /// How often `solve` was called.
   [[nodiscard]] std::size_t solved() const { return solved_; }

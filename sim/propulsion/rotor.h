@@ -1,4 +1,5 @@
-// A rotor: a propeller by one of several models, the motor that turns it and its speed controller. SI units.
+// A rotor: a propeller by one of several models, the motor that turns it and its speed controller.
+// SI units.
 #pragma once
 
 #include <memory>
@@ -22,8 +23,9 @@ struct RotorParameters {
   bool operator==(const RotorParameters&) const = default;
 };
 
-/// One rotor: its aerodynamics and its inertia. `thrust` and `torque` of the lumped base are what controllers know of any model:
-/// k_eta and k_m per air density, of another model at one speed (see linearise()).
+/// One rotor: its aerodynamics and its inertia. `thrust` and `torque` of the lumped base are what
+/// controllers know of any model: k_eta and k_m per air density, of another model at one speed (see
+/// linearise()).
 struct RotorConstants : RotorModel<double> {
   double inertia = 1, inverseInertia = 1;
   std::shared_ptr<const PreparedRotor> model;  ///< null: lumped, the base holds all of it
@@ -33,7 +35,8 @@ struct RotorConstants : RotorModel<double> {
     double thrust, torque;
   };
   [[nodiscard]] Static atRest(double w, double density) const;
-  /// Takes thrust and torque per speed squared at speed w, rad/s, above 0, in air of a density above 0.
+  /// Takes thrust and torque per speed squared at speed w, rad/s, above 0, in air of a density
+  /// above 0.
   void linearise(double w, double density);
 };
 

@@ -1,4 +1,5 @@
-// What every rotor model answers: force and moment on the body. SI units; v: velocity of the hub against the air.
+// What every rotor model answers: force and moment on the body. SI units; v: velocity of the hub
+// against the air.
 #pragma once
 
 #include <Eigen/Core>

@@ -13,7 +13,8 @@ class MapCache {
  public:
   std::shared_ptr<const PreparedRotor> find(const MapPropeller& p) {
     const std::shared_ptr<Entry> entry = entryOf(p);
-    // Built outside the lock: others may build other propellers meanwhile, and who wants this one waits for it.
+    // Built outside the lock: others may build other propellers meanwhile, and who wants this one
+    // waits for it.
     std::call_once(entry->once, [&] {
       const BladeElementRotor rotor(p.propeller, p.settings);
       entry->rotor = std::make_shared<const PreparedRotor>(PropellerMap(rotor, p.map));

@@ -1,6 +1,8 @@
-// The rotor models an experiment can choose among, and each made ready to fly. All answer one question: force and moment
-// on the hub at a rotor speed, a hub velocity against the air and an air density.
-//   lumped         constants k_eta, k_m and what moving air does to them (rotor.h), by coefficients or by CT and CP
+// The rotor models an experiment can choose among, and each made ready to fly. All answer one
+// question: force and moment on the hub at a rotor speed, a hub velocity against the air and an air
+// density.
+//   lumped         constants k_eta, k_m and what moving air does to them (rotor.h), by coefficients
+//                  or by CT and CP
 //   measured       CT and CP over advance ratio and speed (measured_propeller.h)
 //   map            blade elements, tabulated once (propeller_map.h)
 //   blade-element  blade elements, solved at every call (blade_element.h)
@@ -40,14 +42,16 @@ double rotorRadius(const RotorAerodynamics& aerodynamics);
 /// The blades' shape where it is known, else null.
 const PropellerGeometry* rotorGeometry(const RotorAerodynamics& aerodynamics);
 
-/// A rotor model that is not lumped, made ready. No heap and no exception in load(), which many threads may call.
+/// A rotor model that is not lumped, made ready. No heap and no exception in load(), which many
+/// threads may call.
 class PreparedRotor {
  public:
   using Model = std::variant<CoefficientTable, PropellerMap, BladeElementRotor>;
   explicit PreparedRotor(Model model) : model_(std::move(model)) {}
 
-  /// Speed w in rad/s, hub velocity against the air and unit axis in body axes, spin +1 or -1, air density in kg/m^3;
-  /// viscosity kAirViscosity. Any scalar; blade elements carry derivatives by central differences.
+  /// Speed w in rad/s, hub velocity against the air and unit axis in body axes, spin +1 or -1, air
+  /// density in kg/m^3; viscosity kAirViscosity. Any scalar; blade elements carry derivatives by
+  /// central differences.
   template <class S>
   [[nodiscard]] RotorLoad<S> load(const S& w, const Eigen::Matrix<S, 3, 1>& v,
                                   const Eigen::Vector3d& axis, double spin,
@@ -67,8 +71,8 @@ class PreparedRotor {
   [[nodiscard]] const Model& model() const { return model_; }
 
  private:
-  /// The load's value with its first derivatives along the inputs' own. The solver's tolerance, 1e-10 of a speed, and the third derivative
-  /// set the steps.
+  /// The load's value with its first derivatives along the inputs' own. The solver's tolerance,
+  /// 1e-10 of a speed, and the third derivative set the steps.
   template <class S>
   static RotorLoad<S> expanded(const BladeElementRotor& rotor, const S& w,
                                const Eigen::Matrix<S, 3, 1>& v, const Eigen::Vector3d& axis,
@@ -109,8 +113,9 @@ class PreparedRotor {
   Model model_;
 };
 
-/// The prepared rotor of a model; null for the lumped ones. Maps are kept, the last few of them: equal rotors share one,
-/// and the next run with the same propeller finds it ready. May be called from several threads.
+/// The prepared rotor of a model; null for the lumped ones. Maps are kept, the last few of them:
+/// equal rotors share one, and the next run with the same propeller finds it ready. May be called
+/// from several threads.
 std::shared_ptr<const PreparedRotor> prepareRotor(const RotorAerodynamics& aerodynamics);
 
 template <>

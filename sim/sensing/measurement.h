@@ -1,6 +1,6 @@
-// What the controllers are told, each tick. SI units; inertial frame x forward, y left, z up, body axes alike.
-// IdealSensors reads the true state; models of real parts are further alternatives of SensorModel and yield the
-// same Measurement.
+// What the controllers are told, each tick. SI units; inertial frame x forward, y left, z up, body
+// axes alike. IdealSensors reads the true state; models of real parts are further alternatives of
+// SensorModel and yield the same Measurement.
 #pragma once
 
 #include <Eigen/Core>
@@ -23,7 +23,8 @@ struct Measurement {
   double busVoltage;                         ///< V
 };
 
-/// Sensors without error, all at the centre of mass, read at the very tick (thesis 2014, section 3.1).
+/// Sensors without error, all at the centre of mass, read at the very tick (thesis 2014, section
+/// 3.1).
 struct IdealSensors {
   bool operator==(const IdealSensors&) const = default;
 

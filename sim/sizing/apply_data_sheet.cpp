@@ -35,7 +35,8 @@ struct InflowOf {
   RotorInflow operator()(const BladeElementPropeller& /*a*/) const { return {}; }
 };
 
-/// Effects of moving air stay those the vehicle had where the propeller is lumped: no data sheet names them.
+/// Effects of moving air stay those the vehicle had where the propeller is lumped: no data sheet
+/// names them.
 RotorAerodynamics aerodynamicsOf(const DataSheet& sheet, const RotorAerodynamics& before) {
   const RotorInflow inflow = std::visit(InflowOf{}, before);
   if (const auto* p = std::get_if<PropellerLoad>(&sheet.propeller)) {

@@ -1,5 +1,5 @@
-// What data sheets say of a drive: motor, speed controller, battery and propeller, with the vehicle that all of its
-// drives carry. The wizard's inputs; figuresOf() works out the rest. SI units.
+// What data sheets say of a drive: motor, speed controller, battery and propeller, with the vehicle
+// that all of its drives carry. The wizard's inputs; figuresOf() works out the rest. SI units.
 #pragma once
 
 #include <variant>
@@ -18,8 +18,8 @@ struct StaticTableRow {
   bool operator==(const StaticTableRow&) const = default;
 };
 
-/// A propeller by what was measured of it at rest; between the rows T/w^2 and Q/w^2 change linearly, beyond them they
-/// stay. Defaults: three rows of an APC 10 x 4.7 SF.
+/// A propeller by what was measured of it at rest; between the rows T/w^2 and Q/w^2 change
+/// linearly, beyond them they stay. Defaults: three rows of an APC 10 x 4.7 SF.
 struct StaticTable {
   double diameter = 0.254;         ///< m
   double measuredDensity = 1.225;  ///< kg/m^3 during the measurement
@@ -38,7 +38,8 @@ struct GivenInertia {
   bool operator==(const GivenInertia&) const = default;
 };
 
-/// Inertia from masses: the propeller as a slender rod across its diameter, the motor's bell as a thin ring.
+/// Inertia from masses: the propeller as a slender rod across its diameter, the motor's bell as a
+/// thin ring.
 ///   J = m D^2/12 + m_b r_b^2
 struct EstimatedInertia {
   double propellerMass = 0.0126;  ///< kg

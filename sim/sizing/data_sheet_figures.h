@@ -1,5 +1,6 @@
-// What follows from a data sheet: the constants of the drive, the hover of the vehicle it carries, full throttle and how
-// fast the drive answers. Every figure has its formula; steady points come from DriveTrain.
+// What follows from a data sheet: the constants of the drive, the hover of the vehicle it carries,
+// full throttle and how fast the drive answers. Every figure has its formula; steady points come
+// from DriveTrain.
 #pragma once
 
 #include <vector>
@@ -9,7 +10,8 @@
 
 namespace rotorbench {
 
-/// The sheet must satisfy its schema. Figures of the hover are NaN where the drive cannot carry the vehicle.
+/// The sheet must satisfy its schema. Figures of the hover are NaN where the drive cannot carry the
+/// vehicle.
 FigureSheet figuresOf(const DataSheet& sheet);
 
 /// Steady points over the throttle for a chart, with the hover point beside.
@@ -22,7 +24,8 @@ struct ThrottleCurve {
 };
 ThrottleCurve throttleCurve(const DataSheet& sheet, int points = 61);
 
-/// T^1.5/sqrt(2 rho A)/P: ideal power of a hovering disc over the power it takes; 1 at most for any real propeller.
+/// T^1.5/sqrt(2 rho A)/P: ideal power of a hovering disc over the power it takes; 1 at most for any
+/// real propeller.
 double figureOfMerit(double thrust, double shaftPower, double radius, double density);
 
 }  // namespace rotorbench

@@ -1,5 +1,5 @@
-// How long a supply carries a constant power: the discharge is integrated with open-circuit voltage, sag and
-// polarisation (battery.h) until something ends it. SI units.
+// How long a supply carries a constant power: the discharge is integrated with open-circuit
+// voltage, sag and polarisation (battery.h) until something ends it. SI units.
 //   i = P/V,  V = (E + sqrt(E^2 - 4 R_0 P))/2,  E = OCV(z) - v_rc
 #pragma once
 
@@ -25,8 +25,8 @@ struct Discharge {
 /// From the supply's charge at the start on, without polarisation.
 Discharge discharge(const Supply& supply, const ConstantLoad& load);
 
-/// Voltage in V at the terminals under a power in W with `inner` = OCV - v_rc behind R_0; NaN where the supply cannot
-/// give it.
+/// Voltage in V at the terminals under a power in W with `inner` = OCV - v_rc behind R_0; NaN where
+/// the supply cannot give it.
 double voltageUnder(double power, double inner, double resistance);
 
 /// Why it ends, as the end of a sentence: "the reserve of 20 % charge is reached".

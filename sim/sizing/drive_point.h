@@ -1,5 +1,5 @@
-// Steady working points of a drive: at a throttle, at a thrust, at its best efficiency. All of them come from
-// DriveTrain::steadyState(); this only looks for the throttle. SI units.
+// Steady working points of a drive: at a throttle, at a thrust, at its best efficiency. All of them
+// come from DriveTrain::steadyState(); this only looks for the throttle. SI units.
 #pragma once
 
 #include <optional>
@@ -8,7 +8,8 @@
 
 namespace rotorbench {
 
-/// The N-th of a supply that each of N equal motors has for itself: the same voltages at an N-th of the current.
+/// The N-th of a supply that each of N equal motors has for itself: the same voltages at an N-th of
+/// the current.
 SupplyModel shareOf(const SupplyModel& supply, int motors);
 
 struct DrivePoint {

@@ -1,5 +1,5 @@
-// One figure of a data sheet or a performance sheet: what it is, how large, how it was worked out and what limits it.
-// Values are SI; the unit a person reads first stands beside.
+// One figure of a data sheet or a performance sheet: what it is, how large, how it was worked out
+// and what limits it. Values are SI; the unit a person reads first stands beside.
 #pragma once
 
 #include <string>
@@ -31,7 +31,8 @@ struct FigureSheet {
   [[nodiscard]] const Figure& at(const std::string& key) const;
 };
 
-/// "12.3 A" in the shown unit with four significant digits, in the C locale unless another writer is given; "–" for NaN.
+/// "12.3 A" in the shown unit with four significant digits, in the C locale unless another writer
+/// is given; "–" for NaN.
 std::string figureText(const Figure& figure, const NumberWriter& write = shortNumber);
 /// The number of figureText() alone.
 std::string figureNumber(const Figure& figure, const NumberWriter& write = shortNumber);

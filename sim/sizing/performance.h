@@ -1,5 +1,6 @@
-// Performance sheet of a vehicle in its surroundings: what it lifts, how long and how fast it flies, and which limit
-// decides each figure. Steady flight from steady_flight.h, time from discharge.h. SI units.
+// Performance sheet of a vehicle in its surroundings: what it lifts, how long and how fast it
+// flies, and which limit decides each figure. Steady flight from steady_flight.h, time from
+// discharge.h. SI units.
 #pragma once
 
 #include "sim/environment/environment.h"
@@ -30,8 +31,9 @@ enum class FlightLimit {
   NoTrim,  ///< the rotors find no balance of force and moment
 };
 
-/// Air speed over the speed of the blade tips up to which lumped coefficients and rigid blades describe a rotor;
-/// helicopters stay below it too. J. G. Leishman, Principles of Helicopter Aerodynamics, 2nd ed., ch. 5.
+/// Air speed over the speed of the blade tips up to which lumped coefficients and rigid blades
+/// describe a rotor; helicopters stay below it too. J. G. Leishman, Principles of Helicopter
+/// Aerodynamics, 2nd ed., ch. 5.
 inline constexpr double kMostAdvance = 0.4;
 
 /// How far a steady state is from its nearest limit: above 0 where none is broken.
@@ -47,7 +49,8 @@ struct LevelFlight {
   FlightLimit limit = FlightLimit::None;
   Trim farthest;  ///< least electrical power per speed
 };
-/// The fastest level flight from the hover on, and that of the longest range; `hover` must be within its limits.
+/// The fastest level flight from the hover on, and that of the longest range; `hover` must be
+/// within its limits.
 LevelFlight levelFlight(const SteadyFlight& flight, const Trim& hover,
                         const PerformanceSettings& settings);
 

@@ -126,7 +126,8 @@ DriveDemand SteadyFlight::demand(const Trim& trim) const {
   return d;
 }
 
-/// Thrust and torque at rest over the speed, read from the vehicle's equations with all rotors at one speed.
+/// Thrust and torque at rest over the speed, read from the vehicle's equations with all rotors at
+/// one speed.
 ShaftLoad SteadyFlight::staticLoad(std::size_t rotor, double topSpeed) const {
   ShaftLoad load;
   load.quadratic = load.thrust = {topSpeed / kSpeedPoints, {}};

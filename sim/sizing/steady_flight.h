@@ -1,6 +1,7 @@
-// Steady level flight of a quadrotor: rotor speeds, roll and pitch at which neither force nor moment is left, found by
-// Newton's method on the vehicle's own equations (sim/vehicle/multirotor.h), and the electrical side of it. SI units;
-// flight along x of the inertial frame, yaw 0.
+// Steady level flight of a quadrotor: rotor speeds, roll and pitch at which neither force nor
+// moment is left, found by Newton's method on the vehicle's own equations
+// (sim/vehicle/multirotor.h), and the electrical side of it. SI units; flight along x of the
+// inertial frame, yaw 0.
 #pragma once
 
 #include <array>

@@ -1,5 +1,6 @@
-// The cases of the validation: models of this program against measurements of others, kept in resources/validation.
-// One set of model constants serves all propellers; what is fitted in a case, it says.
+// The cases of the validation: models of this program against measurements of others, kept in
+// resources/validation. One set of model constants serves all propellers; what is fitted in a case,
+// it says.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +17,8 @@ struct Case {
   CaseResult (*run)(const std::filesystem::path& resources);
 };
 
-/// All cases in the order of the report. `run` takes the resources folder and throws InputError where its data cannot
-/// be read.
+/// All cases in the order of the report. `run` takes the resources folder and throws InputError
+/// where its data cannot be read.
 const std::vector<Case>& cases();
 
 /// Runs the case of that key. Throws InputError naming the keys if there is none.

@@ -1,4 +1,5 @@
-// Drives whose propellers nobody has measured: constants fitted to every other steady point predict the points between.
+// Drives whose propellers nobody has measured: constants fitted to every other steady point predict
+// the points between.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -42,7 +43,8 @@ HeldOut holdOut(std::vector<DrivePoint> points, const DriveFitChoice& choice,
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!HeldOut::fitted(i)) continue;
     fit.push_back(points[i]);
-    // Least squares of the relative error of the thrust is a mean of ratios; of the error itself, this.
+    // Least squares of the relative error of the thrust is a mean of ratios; of the error itself,
+    // this.
     top += points[i].thrust * points[i].speed * points[i].speed;
     bottom += std::pow(points[i].speed, 4);
   }
@@ -55,7 +57,8 @@ HeldOut holdOut(std::vector<DrivePoint> points, const DriveFitChoice& choice,
   return h;
 }
 
-/// For a start: K of a data sheet's Kv in rpm/V, the load current such that the strongest point is met.
+/// For a start: K of a data sheet's Kv in rpm/V, the load current such that the strongest point is
+/// met.
 DriveConstants startingFrom(double kv, double resistance, const std::vector<DrivePoint>& points) {
   DriveConstants c;
   c.torqueConstant = 1 / (kv * kRpm);
@@ -188,7 +191,8 @@ namespace {
 /// Both supplies of one motor with one propeller.
 using Pair = std::pair<int, int>;
 
-/// Points up to the greatest thrust of a run: beyond it the supply limits its current and the drive falls back.
+/// Points up to the greatest thrust of a run: beyond it the supply limits its current and the drive
+/// falls back.
 std::vector<DrivePoint> upToGreatestThrust(const std::vector<DrivePoint>& run) {
   const auto top = std::max_element(
       run.begin(), run.end(), [](const auto& a, const auto& b) { return a.thrust < b.thrust; });

@@ -1,9 +1,10 @@
-// A drive whose propeller is not known, in the steady state: constants fitted to some of its measured points, to
-// predict the others. Speed controller as in drive_train.h, an averaged converter, its resistance together with the
-// motor's; load torque by the square of the speed:
+// A drive whose propeller is not known, in the steady state: constants fitted to some of its
+// measured points, to predict the others. Speed controller as in drive_train.h, an averaged
+// converter, its resistance together with the motor's; load torque by the square of the speed:
 //   d V = R i + K w,   K i = K I0 + f w + kq w^2,   I = d i + I_s
-// d: duty, V and I: voltage and current of the supply, R: winding and switches, I_s: what the electronics draw. Of the
-// torques only their share of K can be seen, that is I0, f/K and kq/K. SI units.
+// d: duty, V and I: voltage and current of the supply, R: winding and switches, I_s: what the
+// electronics draw. Of the torques only their share of K can be seen, that is I0, f/K and kq/K. SI
+// units.
 #pragma once
 
 #include <cstddef>
@@ -46,8 +47,9 @@ struct DrivePrediction {
 /// The steady state at a commanded duty and a supply voltage.
 DrivePrediction predicted(const DriveConstants& constants, double duty, double voltage);
 
-/// Least squares of speed and current, each over its measured value with `floor` of the greatest one added, by
-/// Levenberg and Marquardt. At least as many points as constants; `guess` for the start.
+/// Least squares of speed and current, each over its measured value with `floor` of the greatest
+/// one added, by Levenberg and Marquardt. At least as many points as constants; `guess` for the
+/// start.
 DriveConstants fitDrive(const std::vector<DrivePoint>& points, const DriveFitChoice& choice,
                         const DriveConstants& guess, double floor = 0.02);
 

@@ -1,5 +1,5 @@
-// The tabulated propeller against the blade elements it was made of, over all directions of the air, axial and edgewise, and both under
-// the states where a division could go wrong.
+// The tabulated propeller against the blade elements it was made of, over all directions of the
+// air, axial and edgewise, and both under the states where a division could go wrong.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -27,7 +27,8 @@ struct MapScore {
   std::vector<std::array<double, 2>> thrustByAngle, torqueByAngle;  ///< degrees, %
 };
 
-/// Directions from straight descent to straight climb, off the map's grid, at five air speeds and in thin air.
+/// Directions from straight descent to straight climb, off the map's grid, at five air speeds and
+/// in thin air.
 void compare(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& score) {
   constexpr double kDegree = kPi / 180, kEnd = 89.9, kStep = 0.37;
   const AirState air{1.1, 1.9e-5};

@@ -1,5 +1,6 @@
-// Propellers whose sections are known: a full-scale one of the NACA tunnel against its measured coefficients, and a
-// large multirotor propeller whose curve is predicted, for users to compare their own measurements with.
+// Propellers whose sections are known: a full-scale one of the NACA tunnel against its measured
+// coefficients, and a large multirotor propeller whose curve is predicted, for users to compare
+// their own measurements with.
 #include <cmath>
 #include <numbers>
 

@@ -12,30 +12,39 @@ namespace rotorbench::validation {
 namespace {
 
 const char* const kStyle = R"(
-:root { color-scheme: light dark; --text: #22262a; --soft: #5b636b; --line: #d9dee3; --ground: #ffffff;
+:root { color-scheme: light dark; --text: #22262a; --soft: #5b636b; --line: #d9dee3; --ground:
+  #ffffff;
   --card: #f6f8fa; --good: #00694b; --bad: #b34700; }
 @media (prefers-color-scheme: dark) { :root { --text: #e4e7ea; --soft: #a3abb3; --line: #3a4148;
   --ground: #16191c; --card: #1f2327; --good: #4cc9a0; --bad: #ff9b57; } }
 * { box-sizing: border-box; }
-body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 72rem; background: var(--ground); color: var(--text);
+body { margin: 0 auto; padding: 2rem 1.5rem 4rem; max-width: 72rem; background: var(--ground);
+  color: var(--text);
   font: 15px/1.5 "Noto Sans", "DejaVu Sans", system-ui, sans-serif; }
 h1 { font-size: 1.6rem; margin: 0 0 .3rem; }
-h2 { font-size: 1.2rem; margin: 2.6rem 0 .4rem; padding-top: 1rem; border-top: 1px solid var(--line); }
+h2 { font-size: 1.2rem; margin: 2.6rem 0 .4rem; padding-top: 1rem; border-top: 1px solid
+  var(--line); }
 p { max-width: 54rem; margin: .4rem 0; }
 .soft { color: var(--soft); }
 a { color: inherit; }
-table { border-collapse: collapse; margin: .6rem 0; font-variant-numeric: tabular-nums; font-size: .92em; }
+table { border-collapse: collapse; margin: .6rem 0; font-variant-numeric: tabular-nums; font-size:
+  .92em; }
 caption { text-align: left; font-weight: 600; padding: .3rem 0; }
-th, td { padding: .22rem .8rem .22rem 0; border-bottom: 1px solid var(--line); text-align: right; vertical-align: top; }
+th, td { padding: .22rem .8rem .22rem 0; border-bottom: 1px solid var(--line); text-align: right;
+  vertical-align: top; }
 th { color: var(--soft); font-weight: 600; }
 th:first-child, td:first-child { text-align: left; }
 .scroll { overflow-x: auto; }
 .good { color: var(--good); font-weight: 600; } .bad { color: var(--bad); font-weight: 600; }
-.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem; margin: 1rem 0; }
-.charts svg { width: 100%; height: auto; background: var(--card); border-radius: 6px; padding: .3rem; }
-.chart .grid { stroke: var(--line); stroke-width: 1; } .chart .axis { stroke: var(--soft); stroke-width: 1; }
+.charts { display: grid; grid-template-columns: repeat(auto-fit, minmax(20rem, 1fr)); gap: 1rem;
+  margin: 1rem 0; }
+.charts svg { width: 100%; height: auto; background: var(--card); border-radius: 6px; padding:
+  .3rem; }
+.chart .grid { stroke: var(--line); stroke-width: 1; } .chart .axis { stroke: var(--soft);
+  stroke-width: 1; }
 details summary { cursor: pointer; color: var(--soft); }
-@media print { body { padding: 0; max-width: none; font-size: 10.5pt; } .charts svg, table { break-inside: avoid; }
+@media print { body { padding: 0; max-width: none; font-size: 10.5pt; } .charts svg, table {
+  break-inside: avoid; }
   h2 { break-after: avoid; } }
 )";
 

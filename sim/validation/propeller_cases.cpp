@@ -1,5 +1,6 @@
-// The 101 propellers of the UIUC Propeller Data Site, static and in flight, with one set of model constants; and the
-// same with one twist offset per propeller that is fitted to its static coefficients.
+// The 101 propellers of the UIUC Propeller Data Site, static and in flight, with one set of model
+// constants; and the same with one twist offset per propeller that is fitted to its static
+// coefficients.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,9 @@
 // How far a computed propeller is from its measured coefficients, in percent and points:
 //   static:          mean of |model/measured - 1| over the speeds
-//   in flight:       mean of |model - measured| over all points, over the measured static coefficient at that speed
-//   peak efficiency: points between the highest measured efficiency of a run and the highest of the model
+//   in flight:       mean of |model - measured| over all points, over the measured static
+//     coefficient at that speed
+//   peak efficiency: points between the highest measured efficiency of a run and the highest of the
+//     model
 //   zero thrust:     advance ratio at which CT passes 0, |model/measured - 1|, runs that get there
 #pragma once
 
@@ -23,7 +25,8 @@ struct Coefficients {
 Coefficients coefficients(const BladeElementRotor& rotor, double omega, double advance,
                           const AirState& air = kTunnelAir);
 
-/// Errors of one set, in percent (peak: points); in flight and the peaks are means over the runs' points or runs.
+/// Errors of one set, in percent (peak: points); in flight and the peaks are means over the runs'
+/// points or runs.
 struct PropellerScore {
   double thrust = 0, power = 0;
   std::optional<double> flightThrust, flightPower, peak, zeroThrust;
@@ -32,8 +35,8 @@ struct PropellerScore {
 PropellerScore scoreAtRest(const PropellerSet& set, const BladeElementRotor& rotor);
 PropellerScore scoreOf(const PropellerSet& set, const BladeElementRotor& rotor);
 
-/// The twist offset, rad, within +-12 degrees, that fits the static coefficients best: least squares of
-/// ln(model/measured) of CT and of CP, alike, over the speeds.
+/// The twist offset, rad, within +-12 degrees, that fits the static coefficients best: least
+/// squares of ln(model/measured) of CT and of CP, alike, over the speeds.
 double fittedTwistOffset(const PropellerSet& set);
 
 }  // namespace rotorbench::validation

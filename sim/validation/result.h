@@ -1,5 +1,6 @@
-// What a case of the validation gives: figures with the limits they must keep, tables, charts, and words on how they
-// came about. Plain values; a page, a JSON file and the tests are made of the same ones.
+// What a case of the validation gives: figures with the limits they must keep, tables, charts, and
+// words on how they came about. Plain values; a page, a JSON file and the tests are made of the
+// same ones.
 #pragma once
 
 #include <optional>

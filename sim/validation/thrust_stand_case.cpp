@@ -1,4 +1,5 @@
-// Battery voltage, speed controller, motor and blade-element propeller together against the log of a thrust stand.
+// Battery voltage, speed controller, motor and blade-element propeller together against the log of
+// a thrust stand.
 #include <cmath>
 #include <numbers>
 
@@ -35,7 +36,8 @@ struct Answer {
   double duty, thrust, speed, current;
 };
 
-/// The steady state at the logged voltage with a throttle, or with the one that gives the logged speed.
+/// The steady state at the logged voltage with a throttle, or with the one that gives the logged
+/// speed.
 class Stand {
  public:
   explicit Stand(DriveStand stand) : stand_(std::move(stand)) {}

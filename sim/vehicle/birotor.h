@@ -153,8 +153,8 @@ class RigidBarBirotor {
   [[nodiscard]] State initialState() const;
   /// Kinetic and potential energy, J.
   [[nodiscard]] double energy(const State& y) const;
-  /// Closed form of (2.27) with one of the two damping laws, whichever the parameters choose: the rotation is a linear
-  /// equation of its own. rad/s at time t in s from the start.
+  /// Closed form of (2.27) with one of the two damping laws, whichever the parameters choose: the
+  /// rotation is a linear equation of its own. rad/s at time t in s from the start.
   [[nodiscard]] double angularVelocityAt(double t, BirotorDamping damping) const;
   [[nodiscard]] const RigidBarParameters& parameters() const { return p_; }
 

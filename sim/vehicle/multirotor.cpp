@@ -28,8 +28,8 @@ struct ForcesSink {
   }
 };
 
-/// V below which a speed controller gives other than its duty asks for. A passive one that is reversible has to look
-/// each time which way it drives.
+/// V below which a speed controller gives other than its duty asks for. A passive one that is
+/// reversible has to look each time which way it drives.
 double leastExcess(const EscConstants& esc, const MotorConstants& motor) {
   if (esc.activeBraking) return -motor.resistance * esc.maxCurrent;
   return esc.least < 0 ? std::numeric_limits<double>::infinity() : 0;
@@ -70,8 +70,9 @@ RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>&
   return lanes;
 }
 
-/// Squares of the rotor speeds that hover, which may be negative or no numbers where none do. Force up and moments of
-/// each rotor are linear in the square of its speed, as far as its coefficients are constant.
+/// Squares of the rotor speeds that hover, which may be negative or no numbers where none do. Force
+/// up and moments of each rotor are linear in the square of its speed, as far as its coefficients
+/// are constant.
 template <int N>
 Eigen::Matrix<double, N, 1> hoverSquares(const MultirotorConstants<N>& c) {
   Eigen::Matrix<double, 4, N> effect;
@@ -87,9 +88,9 @@ Eigen::Matrix<double, N, 1> hoverSquares(const MultirotorConstants<N>& c) {
   return effect.completeOrthogonalDecomposition().solve(load);
 }
 
-/// Brings the thrust and torque factors of all rotors to the speeds at which they hover: coefficients and speeds are
-/// worked out in turn, which converges fast, the ones changing little with the others. Where nothing hovers the factors
-/// are those of half the highest speed.
+/// Brings the thrust and torque factors of all rotors to the speeds at which they hover:
+/// coefficients and speeds are worked out in turn, which converges fast, the ones changing little
+/// with the others. Where nothing hovers the factors are those of half the highest speed.
 template <int N>
 void lineariseAtHover(MultirotorConstants<N>& c) {
   const double sea = c.air.density(0.0), density = sea > 0 ? sea : kStandardDensity;

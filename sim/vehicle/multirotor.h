@@ -1,7 +1,7 @@
 // A multirotor as a rigid body with N spinning rotors: Newton-Euler equations (physics of Mahony,
 // Kumar, Corke, "Multirotor Aerial Vehicles", IEEE RAM 2012) with any of the rotor models, motors,
-// speed controllers and one supply for all of them. SI units; inertial frame x forward, y left, z up; body axes alike, origin of the state:
-// the actual centre of mass.
+// speed controllers and one supply for all of them. SI units; inertial frame x forward, y left, z
+// up; body axes alike, origin of the state: the actual centre of mass.
 //
 //   p' = v            v' = g + R F/m            q' = q * (0, w)/2
 //   H' = tau - w x H  with  H = I w + sum_i s_i J_i Omega_i a_i   (body axes)
@@ -30,15 +30,16 @@
 
 namespace rotorbench {
 
-/// The constants of all rotors side by side, lane i for rotor i: the derivative works on every rotor
-/// at once, with the vector instructions of the processor.
+/// The constants of all rotors side by side, lane i for rotor i: the derivative works on every
+/// rotor at once, with the vector instructions of the processor.
 template <int N>
 struct RotorLanes {
   using Lanes = Eigen::Array<double, N, 1>;
   std::array<Lanes, 3> arm, axis, momentum;  ///< x, y, z of what Hub holds
   Lanes spin, inverseInertia;
   Lanes escResistance;  ///< Ohm
-  /// V: within these of the back-EMF the converter gives what the duty asks for; beyond them, see EscConstants.
+  /// V: within these of the back-EMF the converter gives what the duty asks for; beyond them, see
+  /// EscConstants.
   Lanes leastExcess, mostExcess;
   DutyModel<Lanes> duty;
   RotorModel<Lanes> rotor;
@@ -105,7 +106,8 @@ class Multirotor {
 
   explicit Multirotor(const Constants& constants) : constants_(constants) {}
 
-  /// Held between two calls; see RotorDrive. Duties beyond what the speed controllers take are cut off.
+  /// Held between two calls; see RotorDrive. Duties beyond what the speed controllers take are cut
+  /// off.
   void setCommand(const Command& command) { command_ = allowed(command); }
   /// The same in the course of a flight: the state takes what jumps with it.
   void setCommand(const Command& command, State& y) {
@@ -132,20 +134,21 @@ class Multirotor {
 
   /// The derivative together with the quantities it passes through.
   void derivativeAndForces(const State& y, State& dydt, MultirotorForces<N>& forces) const;
-  /// Brings both up to date after setCommand(command, y) without working out everything again: only the electrical
-  /// side depends on a motor's command.
+  /// Brings both up to date after setCommand(command, y) without working out everything again: only
+  /// the electrical side depends on a motor's command.
   void updateCommand(const State& y, State& dydt, MultirotorForces<N>& forces) const;
 
-  /// To be called once after each step: brings the quaternion back to unit length and ends currents that a passive
-  /// speed controller does not let flow.
+  /// To be called once after each step: brings the quaternion back to unit length and ends currents
+  /// that a passive speed controller does not let flow.
   void afterStep(State& y) const {
     y.template segment<4>(Layout::kAttitude) *= 1 / y.template segment<4>(Layout::kAttitude).norm();
     if (constants_.passive) settle(y);
   }
 
-  /// Linear pairs for the exponential Runge-Kutta method. First the motors' (speed, current), linear(i) being the
-  /// constant part [[-f/J, K/J], [-K/L, -R/L]] of their equations, R with the speed controller's (zero where speeds are
-  /// prescribed); then the duties two by two, which a command held for the step makes linear altogether.
+  /// Linear pairs for the exponential Runge-Kutta method. First the motors' (speed, current),
+  /// linear(i) being the constant part [[-f/J, K/J], [-K/L, -R/L]] of their equations, R with the
+  /// speed controller's (zero where speeds are prescribed); then the duties two by two, which a
+  /// command held for the step makes linear altogether.
   static constexpr int kPairs = Drive == RotorDrive::Motors ? N + N / 2 : N;
   static_assert(N % 2 == 0);
   static constexpr std::pair<int, int> pair(int i) {
@@ -173,7 +176,8 @@ class Multirotor {
   }
 
   /// A state of the centre of mass at `start`; the body frame's origin plays no role. Rotors that
-  /// hover are at hoverSpeeds(); turning rotors have the currents and duties that hold their speeds.
+  /// hover are at hoverSpeeds(); turning rotors have the currents and duties that hold their
+  /// speeds.
   [[nodiscard]] State initialState(const FlightStart& start) const;
   /// Rotor speeds in rad/s whose thrusts carry the vehicle level in still air without a moment
   /// about the x and y axes, and about z as far as spins allow. Throws InputError if some rotor

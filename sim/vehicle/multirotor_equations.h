@@ -97,8 +97,8 @@ template <class S>
     at.voltage[i] =
         hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
-  // The converters keep the power, and the bus follows from the one that is drawn: b (inner - b)/R_0 = P, the upper
-  // root being the stable one.
+  // The converters keep the power, and the bus follows from the one that is drawn: b (inner -
+  // b)/R_0 = P, the upper root being the stable one.
   const S power = Lanes((at.voltage + constants_.lanes.escResistance * current) * current).sum();
   const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
   at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));

@@ -1,5 +1,6 @@
-// Where the quantities of a multirotor stand in its state, and what its equations yield besides the derivative. SI
-// units; inertial frame x forward, y left, z up; body axes alike, at the actual centre of mass.
+// Where the quantities of a multirotor stand in its state, and what its equations yield besides the
+// derivative. SI units; inertial frame x forward, y left, z up; body axes alike, at the actual
+// centre of mass.
 #pragma once
 
 #include <Eigen/Core>
@@ -10,9 +11,9 @@ namespace rotorbench {
 /// How rotor speeds come about.
 enum class RotorDrive {
   Motors,           ///< command: duty of each motor after any dead time, 0..1, or -1..1 where its
-                    ///< speed controller is reversible; rotor speed and current are computed
+                    // /< speed controller is reversible; rotor speed and current are computed
   PrescribedSpeeds  ///< command: rotor acceleration in rad/s^2; speeds are set with
-                    ///< setRotorSpeeds()
+                    // /< setRotorSpeeds()
 };
 
 /// Where each quantity stands in the state. Rotor arrays come first and everything is contiguous,
@@ -49,7 +50,8 @@ struct MultirotorForces {
       specificForce;  ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
 };
 
-/// Powers in W of one instant of all motors and the supply; what goes in equals what is stored and lost.
+/// Powers in W of one instant of all motors and the supply; what goes in equals what is stored and
+/// lost.
 struct FlightPowers {
   double source;        ///< OCV i, taken from the cells
   double supplyLoss;    ///< R_0 i^2 + v_rc i

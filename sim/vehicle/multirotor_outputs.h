@@ -1,13 +1,13 @@
-// What a multirotor run records: one list gives names, units, descriptions and values. SI units, inertial frame
-// x forward, y left, z up, body axes alike.
+// What a multirotor run records: one list gives names, units, descriptions and values. SI units,
+// inertial frame x forward, y left, z up, body axes alike.
 #pragma once
 
 #include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {
 
-/// Calls visit(rotor, name, unit, description, value) for each quantity; rotor 0 is the vehicle, others are
-/// numbered from 1. `forces` must belong to the state `y`.
+/// Calls visit(rotor, name, unit, description, value) for each quantity; rotor 0 is the vehicle,
+/// others are numbered from 1. `forces` must belong to the state `y`.
 template <class Plant, class Visit>
 void visitMultirotorOutputs(const typename Plant::State& y,
                             const MultirotorForces<Plant::kRotors>& forces, Visit&& visit) {

@@ -1,6 +1,7 @@
-// Six live chart panes with four curves each on a recording of 1,000,000 rows, in a window of 1400x900: the time
-// of one frame (new rows read, points replaced, everything painted) and the longest time the GUI thread is busy
-// without a break. Bounds: 33 ms per frame, 50 ms without a break.
+// Six live chart panes with four curves each on a recording of 1,000,000 rows, in a window of
+// 1400x900: the time of one frame (new rows read, points replaced, everything painted) and the
+// longest time the GUI thread is busy without a break. Bounds: 33 ms per frame, 50 ms without a
+// break.
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
@@ -70,7 +71,8 @@ struct Window {
     grid.show();
     QApplication::processEvents();
   }
-  /// One frame; returns the longest uninterrupted stretch in ms: reading and replacing, or painting.
+  /// One frame; returns the longest uninterrupted stretch in ms: reading and replacing, or
+  /// painting.
   double frame() {
     QElapsedTimer clock;
     clock.start();
@@ -105,7 +107,8 @@ BENCHMARK(sixLivePanes)
     ->Unit(benchmark::kMillisecond)
     ->Iterations(100);
 
-/// The run is 1,000,000 rows long when it is first shown; the grid's own clock brings it in piece by piece.
+/// The run is 1,000,000 rows long when it is first shown; the grid's own clock brings it in piece
+/// by piece.
 void openLongRecording(benchmark::State& state) {
   Source source(false);
   source.append(kRows);

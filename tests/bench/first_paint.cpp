@@ -1,5 +1,6 @@
-// From the start of the process to the first paint of the window, as a person waits for it: under a display (Xvfb
-// will do), with settings of its own. Prints milliseconds since the kernel started the process; exits then.
+// From the start of the process to the first paint of the window, as a person waits for it: under a
+// display (Xvfb will do), with settings of its own. Prints milliseconds since the kernel started
+// the process; exits then.
 //   xvfb-run -a first_paint
 #include <unistd.h>
 
@@ -16,7 +17,8 @@
 
 namespace {
 
-/// Seconds since boot at which this process started: field 22 of /proc/self/stat (see proc(5)), in clock ticks.
+/// Seconds since boot at which this process started: field 22 of /proc/self/stat (see proc(5)), in
+/// clock ticks.
 double processStart() {
   std::ifstream stat("/proc/self/stat");
   std::string line;

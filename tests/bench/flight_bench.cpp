@@ -1,5 +1,5 @@
-// How fast the flagship flies: simulated seconds per second on one core, everything recorded, and what the parts of
-// a tick cost. CPU time of this thread, since the machine may be shared.
+// How fast the flagship flies: simulated seconds per second on one core, everything recorded, and
+// what the parts of a tick cost. CPU time of this thread, since the machine may be shared.
 #include <benchmark/benchmark.h>
 
 #include "sim/control/control_model.h"

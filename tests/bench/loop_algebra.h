@@ -1,5 +1,6 @@
-// What Odeint's array_algebra is for std::array, for any state of fixed size with an index: plain loops over the
-// components. Odeint's explicit Runge-Kutta steppers and their step control ask for the functions below.
+// What Odeint's array_algebra is for std::array, for any state of fixed size with an index: plain
+// loops over the components. Odeint's explicit Runge-Kutta steppers and their step control ask for
+// the functions below.
 #pragma once
 
 #include <algorithm>

@@ -1,14 +1,19 @@
-// RK4 and RK5(4)7M against Boost.Odeint, on the rigid birotor of the thesis' experiment 1 and on the hovering quadrotor
-// with motors, in one run. Both sides call the same functor, and its parameters come from a function the compiler
-// cannot look into, so that neither side folds them into its code. What is compared:
-//  - stepper: one step after the other without a solver around it; Odeint's do_step on its own steppers;
-//  - free, sampled: our Solver, with its checks and statistics, over the span in one call or in one call a step,
+// RK4 and RK5(4)7M against Boost.Odeint, on the rigid birotor of the thesis' experiment 1 and on
+// the hovering quadrotor with motors, in one run. Both sides call the same functor, and its
+// parameters come from a function the compiler cannot look into, so that neither side folds them
+// into its code. What is compared:
+//  - stepper: one step after the other without a solver around it; Odeint's do_step on its own
+//    steppers;
+//  - free, sampled: our Solver, with its checks and statistics, over the span in one call or in one
+//    call a step,
 //    against the same loop of do_step;
-//  - adaptive: at equal achieved error; our tolerance that reaches Odeint's error is searched for first. The
+//  - adaptive: at equal achieved error; our tolerance that reaches Odeint's error is searched for
+//    first. The
 //    quadrotor starts it tilted and turning, as there is nothing to control in a hover.
-// Odeint's do_step does no error control: the fixed-step runs of RK5(4)7M are compared as steppers only. Odeint runs
-// in the faster of two ways, component by component (std::array for the birotor; the quadrotor takes Eigen states only,
-// so a plain-loop algebra does on them what array_algebra does on arrays) and with its Eigen expressions.
+// Odeint's do_step does no error control: the fixed-step runs of RK5(4)7M are compared as steppers
+// only. Odeint runs in the faster of two ways, component by component (std::array for the birotor;
+// the quadrotor takes Eigen states only, so a plain-loop algebra does on them what array_algebra
+// does on arrays) and with its Eigen expressions.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -43,8 +48,8 @@ struct Birotor {
   static constexpr int kSteps = 6000;
   double drag = 0.05, arm = 0.25, force1 = 1, force2 = 2, mass = 2;
 
-  /// Out of line, one piece of code for both sides: whether a compiler puts it into this stepper or that one is
-  /// chance and moves the times by half.
+  /// Out of line, one piece of code for both sides: whether a compiler puts it into this stepper or
+  /// that one is chance and moves the times by half.
   [[gnu::noinline]] void derivative(const double* y, double* d) const {
     const double vy = y[1], vz = y[3], rate = y[5];
     const double sine = std::sin(y[4]), cosine = std::cos(y[4]);
@@ -72,7 +77,8 @@ struct Birotor {
   }
 };
 
-/// The derivative of Multirotor<4> and nothing else of it: Odeint has no counterpart to afterStep().
+/// The derivative of Multirotor<4> and nothing else of it: Odeint has no counterpart to
+/// afterStep().
 struct Quadrotor {
   using Model = Multirotor<4>;
   using State = Model::State;
@@ -102,11 +108,12 @@ struct Quadrotor {
 template <class Plant>
 constexpr double kSpan = Plant::kStep* Plant::kSteps;
 
-/// The adaptive runs start in this many states. What one of them ends with hangs on chance, so that a single error says
-/// little about a tolerance; the root mean square of many does.
+/// The adaptive runs start in this many states. What one of them ends with hangs on chance, so that
+/// a single error says little about a tolerance; the root mean square of many does.
 constexpr int kStarts = 16;
 
-/// The plant and the start are built once: the benchmarks copy them, which costs nothing beside the run.
+/// The plant and the start are built once: the benchmarks copy them, which costs nothing beside the
+/// run.
 template <class Plant>
 struct Problem {
   using State = typename Plant::State;

@@ -1,6 +1,7 @@
-// Evaluations of one propeller per second: blade elements from nothing, blade elements that start from the last
-// solution, blade elements averaged over the azimuth, the map, and the four rotor models as a flight asks them. The states are those of a flight, 256 speeds and air
-// speeds around hover, one after the other. "build map" is what the map costs once.
+// Evaluations of one propeller per second: blade elements from nothing, blade elements that start
+// from the last solution, blade elements averaged over the azimuth, the map, and the four rotor
+// models as a flight asks them. The states are those of a flight, 256 speeds and air speeds around
+// hover, one after the other. "build map" is what the map costs once.
 #include <benchmark/benchmark.h>
 
 #include <array>

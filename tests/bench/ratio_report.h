@@ -1,5 +1,6 @@
-// Runs the registered Google benchmarks interleaved at random, so that a noisy machine disturbs both sides alike,
-// and prints the ratio of the processor times of pairs of them, by median and by minimum over the repetitions.
+// Runs the registered Google benchmarks interleaved at random, so that a noisy machine disturbs
+// both sides alike, and prints the ratio of the processor times of pairs of them, by median and by
+// minimum over the repetitions.
 #pragma once
 
 #include <benchmark/benchmark.h>

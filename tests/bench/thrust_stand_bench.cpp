@@ -1,6 +1,6 @@
-// A complete thrust-stand sweep as the window runs it: the propeller's curve by blade elements, the steady points over the
-// throttle and the shipped procedure of steps in time; the same for the propeller bench; and what one check of the
-// document costs, which a form makes after every key.
+// A complete thrust-stand sweep as the window runs it: the propeller's curve by blade elements, the
+// steady points over the throttle and the shipped procedure of steps in time; the same for the
+// propeller bench; and what one check of the document costs, which a form makes after every key.
 #include <benchmark/benchmark.h>
 
 #include "sim/core/schema_tree.h"

@@ -1,4 +1,5 @@
-// rotorbench-cli as a person or a script uses it: the real program, its output, its files, its exit codes.
+// rotorbench-cli as a person or a script uses it: the real program, its output, its files, its exit
+// codes.
 #include <signal.h>
 
 #include <QDir>
@@ -143,7 +144,8 @@ class TestCli : public QObject {
     QCOMPARE(read.out, outcome.out);
   }
 
-  /// A vehicle that cannot lift itself: said before the run, and what it came to after it, by exit code and JSON too.
+  /// A vehicle that cannot lift itself: said before the run, and what it came to after it, by exit
+  /// code and JSON too.
   void overloadedVehicle() {
     const QStringList load{"--set", "setup.vehicle.mass.mass=6.4", "--set", "setup.duration=5"};
     const QString file = shipped("f450-hover-and-steps");
@@ -159,7 +161,8 @@ class TestCli : public QObject {
     QVERIFY(verdicts.contains("below_ground"));
     QVERIFY(json["metrics"][0]["below_ground"].toDouble() > 0);
     QVERIFY(warnings.contains("setup.vehicle.rotors") && warnings.contains("setup.start.rotors"));
-    // Other commands that read the file say it as well, and write nothing of it where their result goes.
+    // Other commands that read the file say it as well, and write nothing of it where their result
+    // goes.
     const Outcome set = cli(QStringList{"set", file, "setup.vehicle.mass.mass=6.4"});
     QCOMPARE(set.code, 0);
     QVERIFY(set.err.contains("cannot hold the vehicle"));
@@ -250,7 +253,8 @@ class TestCli : public QObject {
     QCOMPARE(row["steps"].toInt(), 80);
   }
 
-  /// A page that stands for itself, the same figures as JSON and CSV; a resources folder without data is no crash.
+  /// A page that stands for itself, the same figures as JSON and CSV; a resources folder without
+  /// data is no crash.
   void validationReport() {
     QTemporaryDir directory;
     const QString folder = directory.filePath("report");

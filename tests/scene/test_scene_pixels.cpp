@@ -1,5 +1,5 @@
-// The Qt 3D view on a real (software) OpenGL: what it renders is read back pixel by pixel. Needs an X server
-// with GLX; run under xvfb-run.
+// The Qt 3D view on a real (software) OpenGL: what it renders is read back pixel by pixel. Needs an
+// X server with GLX; run under xvfb-run.
 #include <QApplication>
 #include <QDockWidget>
 #include <QMainWindow>

@@ -11,8 +11,8 @@ using namespace rotorbench;
 class TestOffsetFit : public QObject {
   Q_OBJECT
  private slots:
-  /// Static coefficients of an APC thin electric 10x5. The search takes logarithms of the ratios, the fit differences:
-  /// within half a degree.
+  /// Static coefficients of an APC thin electric 10x5. The search takes logarithms of the ratios,
+  /// the fit differences: within half a degree.
   void leastSquaresFindTheSameOffset() {
     constexpr double kDegree = std::numbers::pi / 180;
     const auto set =

@@ -1,4 +1,5 @@
-// The validation: every limit of its cases, one row each, and what holds for the data and the report.
+// The validation: every limit of its cases, one row each, and what holds for the data and the
+// report.
 #include <QTest>
 #include <cmath>
 #include <set>
@@ -45,7 +46,8 @@ class TestPublishedData : public QObject {
   Q_OBJECT
 
  private slots:
-  /// The limits as the project promises them, written down a second time: a limit changed in the program fails here.
+  /// The limits as the project promises them, written down a second time: a limit changed in the
+  /// program fails here.
   void limits_data();
   void limits();
   void everyLimitIsListedHere();

@@ -1,5 +1,5 @@
-// Every shipped experiment: reads, reads back equal, runs to its end, gives the same bytes twice and however the work
-// is sliced; and what the issue of the flights promises of them.
+// Every shipped experiment: reads, reads back equal, runs to its end, gives the same bytes twice
+// and however the work is sliced; and what the issue of the flights promises of them.
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
@@ -91,7 +91,8 @@ class TestShippedExperiments : public QObject {
              "saturates for long");
   }
 
-  /// Left alone at its set-point the F450 stays where it is: hover is an equilibrium of plant and controller.
+  /// Left alone at its set-point the F450 stays where it is: hover is an equilibrium of plant and
+  /// controller.
   void flagshipHoversStill() {
     Experiment experiment = shipped("f450-hover-and-steps");
     auto& flight = std::get<Flight>(experiment.setup);
@@ -106,8 +107,8 @@ class TestShippedExperiments : public QObject {
     }
   }
 
-  /// Integral action finds the trim the controller does not know: at the end nothing is left; at the end of each part
-  /// of the timeline the slow yaw loop may still be on its way.
+  /// Integral action finds the trim the controller does not know: at the end nothing is left; at
+  /// the end of each part of the timeline the slow yaw loop may still be on its way.
   void unbalancedStillSettles() {
     const auto simulation = runToEnd(shipped("unbalanced-f450"));
     const MetricTable table = simulation->metrics();
@@ -170,7 +171,8 @@ class TestShippedExperiments : public QObject {
     }
   }
 
-  /// A motor winding that no solver step can follow: the run stops with time and component, the recording stays.
+  /// A motor winding that no solver step can follow: the run stops with time and component, the
+  /// recording stays.
   void divergenceNamesTimeAndComponent() {
     Experiment experiment = shipped("f450-hover-and-steps");
     std::get<Flight>(experiment.setup).solver.method = ode::Method::Euler;

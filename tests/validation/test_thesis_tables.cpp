@@ -1,5 +1,6 @@
-// The published figures of the 2014 thesis, tables 2.1, 2.3 and 2.4, reproduced by the shipped experiments. The
-// numbers are those of the thesis; where they need its own variant of the damping, the experiment chooses it.
+// The published figures of the 2014 thesis, tables 2.1, 2.3 and 2.4, reproduced by the shipped
+// experiments. The numbers are those of the thesis; where they need its own variant of the damping,
+// the experiment chooses it.
 #include <QTest>
 #include <cmath>
 
@@ -54,8 +55,9 @@ class TestThesisTables : public QObject {
     QVERIFY2(error > 0 && error < 10e-3, qPrintable(QString::number(error)));
   }
 
-  /// With the dimensionally right damping, 2 D r^2, the bar is braked more: alpha' -> (F2 - F1)/(2 D r) = 40 rad/s
-  /// instead of (F2 - F1)/(2 D r^2) = 160 rad/s, which the run of 60 s only approaches.
+  /// With the dimensionally right damping, 2 D r^2, the bar is braked more: alpha' -> (F2 - F1)/(2
+  /// D r) = 40 rad/s instead of (F2 - F1)/(2 D r^2) = 160 rad/s, which the run of 60 s only
+  /// approaches.
   void physicalDampingChangesTheEnd() {
     Experiment experiment = shipped("thesis-experiment-1");
     // The metrics of each run name both ends, whichever law it was run with.
@@ -69,7 +71,8 @@ class TestThesisTables : public QObject {
       const Recording& reference = *simulation->runs().front().recording;
       return reference.value(*reference.find("angular_velocity"), reference.rows() - 1);
     };
-    // Closed form of alpha'' = (F2 - F1 - c alpha')/(r M): rate(t) = w + (rate(0) - w) exp(-c t/(r M)).
+    // Closed form of alpha'' = (F2 - F1 - c alpha')/(r M): rate(t) = w + (rate(0) - w) exp(-c t/(r
+    // M)).
     const auto expected = [](double c) {
       const double end = 1 / c;
       return end + (2 - end) * std::exp(-c * 60 / (0.25 * 2));
@@ -84,7 +87,8 @@ class TestThesisTables : public QObject {
     QVERIFY(std::abs(thesis - expected(2 * 0.05 * 0.25 * 0.25)) < 1e-9);
   }
 
-  /// Table 2.1: the bar passes 0.6 m near 23.5 s, at -18 rad/s and -109 N; then the step turns unstable.
+  /// Table 2.1: the bar passes 0.6 m near 23.5 s, at -18 rad/s and -109 N; then the step turns
+  /// unstable.
   void springBar() {
     const Experiment experiment = shipped("spring-bar-birotor");
     const auto simulation = runToEnd(experiment);

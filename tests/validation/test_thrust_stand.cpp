@@ -1,4 +1,5 @@
-// The shipped thrust stand is computed with what blade elements give. Against its log: test_published_data.cpp.
+// The shipped thrust stand is computed with what blade elements give. Against its log:
+// test_published_data.cpp.
 #include <QtTest>
 #include <cmath>
 
@@ -10,8 +11,8 @@ using namespace rotorbench::test;
 class TestThrustStand : public QObject {
   Q_OBJECT
  private slots:
-  /// Held for a second at each level, with a battery that is nearly empty of memory, the stand reaches the points that
-  /// are solved directly.
+  /// Held for a second at each level, with a battery that is nearly empty of memory, the stand
+  /// reaches the points that are solved directly.
   void solvedAndReachedAgree() {
     Experiment experiment = shipped("thrust-stand-x2216");
     auto& bench = std::get<ThrustStand>(experiment.setup);
@@ -25,7 +26,8 @@ class TestThrustStand : public QObject {
     QCOMPARE(simulation->runs().back().recording->rows(), std::size_t{9});
   }
 
-  /// The curve over the speed is read between its points: what it says there is what blade elements give.
+  /// The curve over the speed is read between its points: what it says there is what blade elements
+  /// give.
   void curveBetweenItsPoints() {
     Experiment experiment = shipped("thrust-stand-x2216");
     const DriveStand& stand = std::get<ThrustStand>(experiment.setup).stand;

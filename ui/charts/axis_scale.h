@@ -1,5 +1,5 @@
-// The scale of one chart axis: data to 0..1 and back, linear or logarithmic, nice ticks and their labels,
-// zooming and panning.
+// The scale of one chart axis: data to 0..1 and back, linear or logarithmic, nice ticks and their
+// labels, zooming and panning.
 #pragma once
 
 #include <QLocale>
@@ -30,8 +30,8 @@ struct Tick {
   QString label;
 };
 
-/// Ticks at 1, 2 or 5 times a power of ten; at whole powers on a logarithmic scale where it spans at least one
-/// decade. Labels leave out 10^exponent, which belongs beside the unit of the axis.
+/// Ticks at 1, 2 or 5 times a power of ten; at whole powers on a logarithmic scale where it spans
+/// at least one decade. Labels leave out 10^exponent, which belongs beside the unit of the axis.
 struct Ticks {
   std::vector<Tick> major;
   std::vector<double> minor;  ///< logarithmic scales only
@@ -40,8 +40,8 @@ struct Ticks {
 /// At most about `most` ticks with labels.
 Ticks niceTicks(const AxisScale& scale, int most, const QLocale& locale);
 
-/// The smallest range with nice ends that holds `data`, for about `ticks` ticks. An empty or reversed range
-/// gives the standard one (0 to 1, or 0.1 to 1 on a logarithmic scale).
+/// The smallest range with nice ends that holds `data`, for about `ticks` ticks. An empty or
+/// reversed range gives the standard one (0 to 1, or 0.1 to 1 on a logarithmic scale).
 Span niceSpan(Span data, bool log, int ticks);
 
 /// The next rounder end for a range that starts at `low` and grows: it changes seldom.

@@ -1,4 +1,5 @@
-// Which channels a chart specification means: patterns with * against the channel names of a recording.
+// Which channels a chart specification means: patterns with * against the channel names of a
+// recording.
 #pragma once
 
 #include <optional>
@@ -18,8 +19,8 @@ struct CurveChannels {
   bool operator==(const CurveChannels&) const = default;
 };
 
-/// The text each * of `pattern` stands for in `name`, or nothing if the name does not match. A * stands for any
-/// text without a dot, also none.
+/// The text each * of `pattern` stands for in `name`, or nothing if the name does not match. A *
+/// stands for any text without a dot, also none.
 std::optional<std::vector<std::string>> matchPattern(std::string_view pattern,
                                                      std::string_view name);
 
@@ -27,14 +28,15 @@ std::optional<std::vector<std::string>> matchPattern(std::string_view pattern,
 std::vector<std::string> splitPatterns(std::string_view patterns);
 std::string joinPatterns(const std::vector<std::string>& patterns);
 
-/// The curves of `spec` over `channels`, in the order of the patterns and without repeats. Channel 0 is the
-/// abscissa; it is not drawn over itself.
+/// The curves of `spec` over `channels`, in the order of the patterns and without repeats. Channel
+/// 0 is the abscissa; it is not drawn over itself.
 std::vector<CurveChannels> resolveCurves(const ChartSpec& spec,
                                          const std::vector<Channel>& channels);
 
 /// `spec` with `name` added as a further channel; unchanged if a pattern already names it.
 ChartSpec withChannel(ChartSpec spec, const std::string& name);
-/// `spec` without `name`; a wildcard that matched it is replaced by the other names it matches in `channels`.
+/// `spec` without `name`; a wildcard that matched it is replaced by the other names it matches in
+/// `channels`.
 ChartSpec withoutChannel(ChartSpec spec, const std::string& name,
                          const std::vector<Channel>& channels);
 

@@ -20,7 +20,8 @@ void include(Span& span, double value) {
   span.high = std::max(span.high, value);
 }
 
-/// A usable range around the data, rounded to half the distance of ticks so that little room is lost.
+/// A usable range around the data, rounded to half the distance of ticks so that little room is
+/// lost.
 Span fitted(Span data, bool log, int ticks) {
   const Span nice = niceSpan(data, log, 2 * ticks);
   return isUsable(nice, log) ? nice : niceSpan(kNothing, log, ticks);

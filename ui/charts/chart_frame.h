@@ -1,4 +1,5 @@
-// One state of a chart, ready to be painted on a screen or a page: scales, ticks and few points per curve.
+// One state of a chart, ready to be painted on a screen or a page: scales, ticks and few points per
+// curve.
 #pragma once
 
 #include <QList>
@@ -53,11 +54,12 @@ struct FrameRequest {
   QLocale locale;
 };
 
-/// Builds frames of one chart; remembers the traces of its curves, so that a frame reads new rows only.
+/// Builds frames of one chart; remembers the traces of its curves, so that a frame reads new rows
+/// only.
 class FrameBuilder {
  public:
-  /// Reads at most `rowBudget` rows that were not read before (and counts it down); `complete` tells whether all
-  /// published rows are in.
+  /// Reads at most `rowBudget` rows that were not read before (and counts it down); `complete`
+  /// tells whether all published rows are in.
   ChartFrame build(const FrameRequest& request, SummaryCache& summaries, std::size_t& rowBudget);
   [[nodiscard]] bool complete() const { return complete_; }
   /// Call when the curves have changed.

@@ -1,5 +1,6 @@
-// The charts of an experiment side by side: panes in rows that can be added, removed, split and shown alone; one
-// shared time axis, shared cursors, and one clock that keeps the visible panes up to date while runs grow.
+// The charts of an experiment side by side: panes in rows that can be added, removed, split and
+// shown alone; one shared time axis, shared cursors, and one clock that keeps the visible panes up
+// to date while runs grow.
 #pragma once
 
 #include <QTimer>
@@ -46,7 +47,8 @@ class ChartGrid : public QWidget {
   /// Adds to the current pane, or to a new one if there is none.
   void addChannels(const QStringList& channels);
 
-  /// Brings visible panes up to date within the time of a frame; the grid calls it itself while runs grow.
+  /// Brings visible panes up to date within the time of a frame; the grid calls it itself while
+  /// runs grow.
   void refresh();
   /// Cursor A of all charts, in s, as the 3D scene sets it.
   void setTimeCursor(std::optional<double> time);

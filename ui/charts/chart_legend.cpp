@@ -83,7 +83,8 @@ void ChartLegend::setMostWidth(int width) {
   arrange();
 }
 
-/// The first of the arrangements of choosePlaces() that the most width has room for. Full names are worth two thirds of it.
+/// The first of the arrangements of choosePlaces() that the most width has room for. Full names are
+/// worth two thirds of it.
 int ChartLegend::columnWidth(int rowHeight) const {
   const auto widest = [&](QString LegendEntry::*name) {
     int width = 0;
@@ -118,8 +119,9 @@ void ChartLegend::askMenu(LegendItem* item, QPoint globalPosition) {
   menu->popup(globalPosition);
 }
 
-/// In this order: the full names with the read-outs beside them; shorter names; the read-outs on a line of their own, as
-/// many columns of them as there is room for; shorter names there too, on as many lines as they take.
+/// In this order: the full names with the read-outs beside them; shorter names; the read-outs on a
+/// line of their own, as many columns of them as there is room for; shorter names there too, on as
+/// many lines as they take.
 void ChartLegend::choosePlaces(int room) {
   const auto fit = [&](QString LegendEntry::*name, int width) {
     return std::ranges::all_of(items_, [&](const LegendItem* item) {
@@ -145,7 +147,8 @@ LegendPlace ChartLegend::placeOf(const LegendItem& item, int room) const {
   return place;
 }
 
-/// Entries flow in rows; as a table or column each has a row of its own, below the heads if there are any.
+/// Entries flow in rows; as a table or column each has a row of its own, below the heads if there
+/// are any.
 void ChartLegend::arrange() {
   const bool column = mostWidth_ > 0;
   const int rowHeight = QFontMetrics(font()).height() + 2;

@@ -1,6 +1,6 @@
-// The legend of a chart: a click on an entry hides or shows its curve. While cursors are set it is a table of
-// read-outs: the value at A, at B, and the difference. Where it is narrow names come before read-outs: these move below
-// the name, and the last columns go.
+// The legend of a chart: a click on an entry hides or shows its curve. While cursors are set it is
+// a table of read-outs: the value at A, at B, and the difference. Where it is narrow names come
+// before read-outs: these move below the name, and the last columns go.
 #pragma once
 
 #include <QScrollArea>
@@ -22,7 +22,8 @@ class ChartLegend : public QScrollArea {
   void setReadouts(const QStringList& heads, const std::vector<QStringList>& cells);
   /// The most height the legend may take below its plot; beyond it scrolls.
   void setMostHeight(int height);
-  /// Beside the plot instead, as a column as wide as its names and read-outs need, but no wider than this; 0: below it.
+  /// Beside the plot instead, as a column as wide as its names and read-outs need, but no wider
+  /// than this; 0: below it.
   void setMostWidth(int width);
   [[nodiscard]] const std::vector<LegendItem*>& items() const { return items_; }
   [[nodiscard]] const QStringList& heads() const { return heads_; }

@@ -1,5 +1,5 @@
-// What all charts of a grid share: the time range in view, whether it follows the newest values, and the two
-// cursors. Times in s of simulated time.
+// What all charts of a grid share: the time range in view, whether it follows the newest values,
+// and the two cursors. Times in s of simulated time.
 #pragma once
 
 #include <QObject>

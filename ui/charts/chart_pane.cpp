@@ -51,7 +51,8 @@ ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent)
 }
 
 ChartPane::~ChartPane() {
-  // The title loses the focus while it is destroyed, and would report an edit to a pane that is no more.
+  // The title loses the focus while it is destroyed, and would report an edit to a pane that is no
+  // more.
   title_->disconnect(this);
 }
 

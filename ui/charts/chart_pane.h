@@ -1,5 +1,5 @@
-// One chart: title, plot, legend with read-outs. Shows the channels its specification names of all visible runs
-// and follows them while they grow. Takes channels dropped from the signal tree.
+// One chart: title, plot, legend with read-outs. Shows the channels its specification names of all
+// visible runs and follows them while they grow. Takes channels dropped from the signal tree.
 #pragma once
 
 #include <QElapsedTimer>
@@ -27,7 +27,8 @@ class ChartPane : public QFrame {
   Q_OBJECT
 
  public:
-  /// Rows one refresh reads that were not read before: keeps a refresh short when a long recording is opened.
+  /// Rows one refresh reads that were not read before: keeps a refresh short when a long recording
+  /// is opened.
   static constexpr std::size_t kRowsPerRefresh = 1'000'000;
 
   /// `runs` and `link` are shared with other panes and outlive this one.
@@ -39,8 +40,8 @@ class ChartPane : public QFrame {
   void addChannel(const QString& channel);
   void removeChannel(const QString& channel);
 
-  /// Shows rows that are new since the last call; reads at most `rowBudget` of them and counts it down. Cheap if
-  /// nothing is new. Returns whether anything was drawn.
+  /// Shows rows that are new since the last call; reads at most `rowBudget` of them and counts it
+  /// down. Cheap if nothing is new. Returns whether anything was drawn.
   bool refresh(std::size_t& rowBudget);
   bool refresh();
 

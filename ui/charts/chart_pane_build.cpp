@@ -14,7 +14,8 @@
 namespace rotorbench {
 namespace {
 
-/// The icon in the colour of the text, so that it is seen on light and dark grounds; a sign if there is none.
+/// The icon in the colour of the text, so that it is seen on light and dark grounds; a sign if
+/// there is none.
 void setSign(QToolButton* button, const QString& iconName, const QString& sign) {
   const QIcon icon = QIcon::fromTheme(iconName);
   button->setText(icon.isNull() ? sign : QString());

@@ -1,5 +1,5 @@
-// Colours and dashes of charts: a calm ground taken from the system's palette, curves in a colour-blind-safe
-// palette, one dash per rotor.
+// Colours and dashes of charts: a calm ground taken from the system's palette, curves in a
+// colour-blind-safe palette, one dash per rotor.
 #pragma once
 
 #include <QColor>

@@ -1,5 +1,6 @@
-// Minima and maxima of one channel over any range of rows without reading those rows again: a pyramid of
-// block extremes (blocks of 64 rows, each further level 8 times as long) that grows with the recording.
+// Minima and maxima of one channel over any range of rows without reading those rows again: a
+// pyramid of block extremes (blocks of 64 rows, each further level 8 times as long) that grows with
+// the recording.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +15,8 @@
 
 namespace rotorbench {
 
-/// Smallest and largest value of some rows and the first rows that hold them. Values that are not finite count
-/// as missing.
+/// Smallest and largest value of some rows and the first rows that hold them. Values that are not
+/// finite count as missing.
 struct Extremes {
   double min = std::numeric_limits<double>::infinity();
   double max = -std::numeric_limits<double>::infinity();
@@ -56,8 +57,8 @@ class ColumnSummary {
   std::vector<std::vector<Extremes>> levels_;
 };
 
-/// The summaries of all channels on show, shared by all panes. Forgets those of recordings that are gone from
-/// everywhere else.
+/// The summaries of all channels on show, shared by all panes. Forgets those of recordings that are
+/// gone from everywhere else.
 class SummaryCache {
  public:
   ColumnSummary& summary(const std::shared_ptr<const Recording>& recording, std::size_t channel,

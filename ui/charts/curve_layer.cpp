@@ -17,8 +17,8 @@ constexpr qreal kMarkerSize = 6;
 constexpr qsizetype kMostMarkers = 400;
 /// So many marks of a curve without a line are drawn; of more, every second, third, ...
 constexpr qsizetype kMostLooseMarkers = 2000;
-/// A curve whose line is longer than this many plot widths is a band: thin, solid and without smoothing, since
-/// dashes cannot be seen and everything else costs time.
+/// A curve whose line is longer than this many plot widths is a band: thin, solid and without
+/// smoothing, since dashes cannot be seen and everything else costs time.
 constexpr double kDenseWidths = 6;
 
 struct Mapped {
@@ -26,8 +26,9 @@ struct Mapped {
   bool dense = false;
 };
 
-/// Leaves out points that a straight line between the kept ones passes within kStraight pixels: a smooth curve
-/// needs few points, and both the series and the painter cost time per point. Lines that go backwards are kept.
+/// Leaves out points that a straight line between the kept ones passes within kStraight pixels: a
+/// smooth curve needs few points, and both the series and the painter cost time per point. Lines
+/// that go backwards are kept.
 class Straightener {
  public:
   explicit Straightener(QList<QPointF>& points) : points_(points) {}

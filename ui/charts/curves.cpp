@@ -32,7 +32,8 @@ QString quantityOf(const std::vector<QString>& names) {
   return last.size() <= kMostQuantities ? last.join(QStringLiteral(", ")) : QString();
 }
 
-/// Each name without the parts that all begin and end with; at least one part of each is left. Empty if all are alike.
+/// Each name without the parts that all begin and end with; at least one part of each is left.
+/// Empty if all are alike.
 std::map<QString, QString> toldApart(const QStringList& names, const QRegularExpression& separators,
                                      const QString& joint) {
   QList<QStringList> parts;

@@ -1,5 +1,5 @@
-// The curves of one chart: which channels of which runs it draws, how they are named, coloured and dashed, and
-// on which axis they stand.
+// The curves of one chart: which channels of which runs it draws, how they are named, coloured and
+// dashed, and on which axis they stand.
 #pragma once
 
 #include <QSet>
@@ -28,8 +28,8 @@ struct Curve {
   [[nodiscard]] const Channel& x() const { return recording->channels()[xChannel]; }
 };
 
-/// Which curves a person switched off in the legend. Curves of a single shown run are remembered by channel, so
-/// that they stay off when the experiment runs again.
+/// Which curves a person switched off in the legend. Curves of a single shown run are remembered by
+/// channel, so that they stay off when the experiment runs again.
 class HiddenCurves {
  public:
   [[nodiscard]] bool contains(const Curve& curve) const;
@@ -48,8 +48,8 @@ struct CurveList {
 };
 CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCurves& hidden);
 
-/// What the curves on axis `axis` have in common, for its title: "thrust" of rotor1.thrust and rotor2.thrust,
-/// "x, y, z" of position.x, position.y, position.z. Empty if they are too many.
+/// What the curves on axis `axis` have in common, for its title: "thrust" of rotor1.thrust and
+/// rotor2.thrust, "x, y, z" of position.x, position.y, position.z. Empty if they are too many.
 QString axisQuantity(const CurveList& list, std::size_t axis);
 /// The same for the horizontal axis.
 QString abscissaQuantity(const CurveList& list);

@@ -6,7 +6,8 @@
 namespace rotorbench {
 namespace {
 
-/// First row in [from, rows) with abscissa >= t: gallops from a guess, since columns follow one another.
+/// First row in [from, rows) with abscissa >= t: gallops from a guess, since columns follow one
+/// another.
 std::size_t gallop(const Recording& recording, std::size_t from, std::size_t rows, double t,
                    std::size_t guess) {
   std::size_t low = from;  // every row before low is below t
@@ -119,7 +120,8 @@ void XyTrace::restartIfChanged(const AxisScale& x, const AxisScale& y, double wi
   restart();
 }
 
-/// Of the points in one cell the first and the last stay, so that the line enters and leaves where it should.
+/// Of the points in one cell the first and the last stay, so that the line enters and leaves where
+/// it should.
 void XyTrace::add(QPointF point, double cellX, double cellY) {
   const bool here = !points_.isEmpty() && cellX == lastCellX_ && cellY == lastCellY_;
   if (here && lastIsLoose_) {

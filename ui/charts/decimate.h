@@ -1,5 +1,6 @@
-// From the rows of a recording to the few points a chart draws: per pixel column the smallest and the largest
-// value, in the order in which they occur. Every extreme of the rows in view is kept exactly.
+// From the rows of a recording to the few points a chart draws: per pixel column the smallest and
+// the largest value, in the order in which they occur. Every extreme of the rows in view is kept
+// exactly.
 #pragma once
 
 #include <QList>
@@ -13,8 +14,8 @@
 namespace rotorbench {
 
 /// Bounds of the rows in each pixel column over a growing abscissa: column i holds rows [bounds[i],
-/// bounds[i+1]). Rows before or after the visible range are in no column. While the scale stays, only columns that
-/// new rows may fall into are looked up again.
+/// bounds[i+1]). Rows before or after the visible range are in no column. While the scale stays,
+/// only columns that new rows may fall into are looked up again.
 class ColumnBounds {
  public:
   const std::vector<std::size_t>& update(const Recording& recording, std::size_t rows,
@@ -29,9 +30,10 @@ class ColumnBounds {
 /// A curve over the abscissa, reduced to the smallest and the largest value of each pixel column.
 class TimeTrace {
  public:
-  /// Points (abscissa, value) of the rows in the columns, at most two per column, and the neighbours just outside so
-  /// that lines run to the edge. Rows that `summary` has not taken in yet are left out. Columns that were complete
-  /// at the last call with the same scale are not read again.
+  /// Points (abscissa, value) of the rows in the columns, at most two per column, and the
+  /// neighbours just outside so that lines run to the edge. Rows that `summary` has not taken in
+  /// yet are left out. Columns that were complete at the last call with the same scale are not read
+  /// again.
   QList<QPointF> update(const Recording& recording, const ColumnSummary& summary,
                         const AxisScale& x, const std::vector<std::size_t>& bounds);
 
@@ -42,14 +44,15 @@ class TimeTrace {
   QList<QPointF> donePoints_;
 };
 
-/// A curve of one channel over another, reduced to the points that lie in another pixel than the point before.
-/// Remembers what it has seen: while the scales stay, only new rows are read. A curve that fills more than
-/// kMostPoints pixels is reduced by coarser cells.
+/// A curve of one channel over another, reduced to the points that lie in another pixel than the
+/// point before. Remembers what it has seen: while the scales stay, only new rows are read. A curve
+/// that fills more than kMostPoints pixels is reduced by coarser cells.
 class XyTrace {
  public:
   static constexpr qsizetype kMostPoints = 12000;
 
-  /// Takes in further rows, at most `mostRows`; returns how many it took. `widthPx` and `heightPx` are the plot's.
+  /// Takes in further rows, at most `mostRows`; returns how many it took. `widthPx` and `heightPx`
+  /// are the plot's.
   std::size_t update(const Recording& recording, std::size_t xChannel, std::size_t yChannel,
                      const AxisScale& x, const AxisScale& y, double widthPx, double heightPx,
                      std::size_t mostRows);

@@ -1,5 +1,6 @@
-// One entry of a chart's legend: a sample of the line, the name, and the read-outs as table cells beside or below it. The
-// name is always whole: in full where there is room, else by what tells the curve apart, on several lines if need be.
+// One entry of a chart's legend: a sample of the line, the name, and the read-outs as table cells
+// beside or below it. The name is always whole: in full where there is room, else by what tells the
+// curve apart, on several lines if need be.
 #pragma once
 
 #include <QAbstractButton>
@@ -44,7 +45,8 @@ class LegendItem : public QAbstractButton {
   /// With the full name on one line.
   QSize sizeHint() const override;
   [[nodiscard]] int heightOf(const LegendPlace& place) const;
-  /// The name in lines of at most `width` px with the sample before them; broken inside words where it must be.
+  /// The name in lines of at most `width` px with the sample before them; broken inside words where
+  /// it must be.
   [[nodiscard]] QStringList wrapped(const QString& name, int width) const;
   /// Width of a name on one line, with the sample before it.
   [[nodiscard]] int widthOf(const QString& name) const;

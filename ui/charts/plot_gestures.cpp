@@ -45,7 +45,8 @@ std::optional<Cursor> PlotWidget::cursorNear(QPointF pixel) const {
   return std::nullopt;
 }
 
-/// Over an axis that axis; inside, the time of a time chart (its values fit themselves) or all of an xy chart.
+/// Over an axis that axis; inside, the time of a time chart (its values fit themselves) or all of
+/// an xy chart.
 void PlotWidget::zoomAt(QPointF pixel, double factor, bool onlyY) {
   const QPointF unit = toUnit(pixel);
   const int overY = layout_.yAxisAt(pixel);

@@ -1,5 +1,5 @@
-// Where the parts of a plot lie and how its axes are painted: thin grid, ticks, labels, titles with units. Used by
-// the window and by exported figures alike; lengths in pixels of the painter.
+// Where the parts of a plot lie and how its axes are painted: thin grid, ticks, labels, titles with
+// units. Used by the window and by exported figures alike; lengths in pixels of the painter.
 #pragma once
 
 #include <QFont>
@@ -21,8 +21,8 @@ struct PlotLayout {
   [[nodiscard]] int yAxisAt(QPointF point) const;
 };
 
-/// Widths of the y labels so far: an axis may widen but does not shrink while values change, so that nothing
-/// moves under the pointer.
+/// Widths of the y labels so far: an axis may widen but does not shrink while values change, so
+/// that nothing moves under the pointer.
 using LabelWidths = std::vector<qreal>;
 
 PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font,

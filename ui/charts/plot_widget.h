@@ -1,5 +1,5 @@
-// The plot of a chart on the screen: paints a frame and the cursors, and turns wheel, mouse and keys into the
-// view a person asks for. It changes nothing by itself; the pane decides.
+// The plot of a chart on the screen: paints a frame and the cursors, and turns wheel, mouse and
+// keys into the view a person asks for. It changes nothing by itself; the pane decides.
 #pragma once
 
 #include <QPixmap>

@@ -1,5 +1,5 @@
-// What the cursors of a chart read: for each curve the last sample not after the cursor's time, and the
-// difference between the two cursors.
+// What the cursors of a chart read: for each curve the last sample not after the cursor's time, and
+// the difference between the two cursors.
 #pragma once
 
 #include <QLocale>

@@ -1,5 +1,5 @@
-// The runs the charts show: recordings with the name, colour and visibility a person gave them. Computed and
-// measured data alike; the window feeds it, panes and signal tree follow its signal.
+// The runs the charts show: recordings with the name, colour and visibility a person gave them.
+// Computed and measured data alike; the window feeds it, panes and signal tree follow its signal.
 #pragma once
 
 #include <QColor>
@@ -41,7 +41,8 @@ class RunSet : public QObject {
   void rename(const QString& id, const QString& name);
   void setColor(const QString& id, const QColor& color);
 
-  /// Channels of the visible runs, each name once, in order of appearance. The abscissa is among them.
+  /// Channels of the visible runs, each name once, in order of appearance. The abscissa is among
+  /// them.
   [[nodiscard]] std::vector<Channel> channels() const;
   /// Why a visible run has not one of these channels or patterns, where it says so; else empty.
   [[nodiscard]] QString reasonOfAbsence(const std::vector<std::string>& channels) const;

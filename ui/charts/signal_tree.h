@@ -1,5 +1,6 @@
-// All channels of the shown runs as a tree, split at the dots of their names, with a search field. Channels are
-// dragged to charts or added by double click or Enter. Running again changes nothing but what is new or gone.
+// All channels of the shown runs as a tree, split at the dots of their names, with a search field.
+// Channels are dragged to charts or added by double click or Enter. Running again changes nothing
+// but what is new or gone.
 #pragma once
 
 #include <QSet>

@@ -1,5 +1,6 @@
-// Editors that pick: a check box for Boolean, combo boxes for Choice and for the alternative of a variant (whose
-// fields the form shows below), and the link to a part that has a section of its own.
+// Editors that pick: a check box for Boolean, combo boxes for Choice and for the alternative of a
+// variant (whose fields the form shows below), and the link to a part that has a section of its
+// own.
 #pragma once
 
 #include <QCheckBox>
@@ -10,7 +11,8 @@
 
 namespace rotorbench {
 
-/// A combo box with one item per option, its help as tool tip; the wheel changes it only with the focus.
+/// A combo box with one item per option, its help as tool tip; the wheel changes it only with the
+/// focus.
 QComboBox* makeOptionBox(const schema::Field& field, QWidget* parent);
 
 class BooleanEditor : public FieldEditor {

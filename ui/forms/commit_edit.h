@@ -1,5 +1,5 @@
-// A line edit whose text counts only when it is committed (Enter, or leaving the field). Until then Ctrl+Z and
-// Escape take back what was typed; afterwards undo and redo belong to the document.
+// A line edit whose text counts only when it is committed (Enter, or leaving the field). Until then
+// Ctrl+Z and Escape take back what was typed; afterwards undo and redo belong to the document.
 #pragma once
 
 #include <QLineEdit>

@@ -8,7 +8,8 @@ using schema::Kind;
 
 namespace {
 
-/// Where the child of a struct finds its defaults; `made` keeps a default-made struct alive if one is needed.
+/// Where the child of a struct finds its defaults; `made` keeps a default-made struct alive if one
+/// is needed.
 const void* defaultChild(const schema::Field& field, const void* owner, const void* defaultOwner,
                          std::size_t index, std::shared_ptr<void>& made) {
   const bool sameShape =

@@ -1,5 +1,6 @@
-// What counts as the default of a place in a document: the value at the same place of a default-made document;
-// inside an alternative or a list that differs from it, the value of a default-made struct.
+// What counts as the default of a place in a document: the value at the same place of a
+// default-made document; inside an alternative or a list that differs from it, the value of a
+// default-made struct.
 #pragma once
 
 #include <QString>
@@ -11,12 +12,13 @@
 
 namespace rotorbench {
 
-/// The default of the leaf at `path` of `document`, `defaults` being a default-made document of its type. Empty
-/// if there is no such leaf.
+/// The default of the leaf at `path` of `document`, `defaults` being a default-made document of its
+/// type. Empty if there is no such leaf.
 std::optional<schema::Value> defaultValue(schema::ConstRef document, schema::ConstRef defaults,
                                           const QString& path);
 
-/// True if anything at or below the field of `owner` differs from `defaultOwner`, a struct of the same type.
+/// True if anything at or below the field of `owner` differs from `defaultOwner`, a struct of the
+/// same type.
 bool differsFromDefault(const schema::Field& field, const void* owner, const void* defaultOwner);
 bool differsFromDefault(schema::ConstRef object, const void* defaultObject);
 

@@ -39,7 +39,8 @@ std::optional<SteppedText> stepDigit(const QString& text, int cursor, int steps,
   const int decimals = static_cast<int>(written->fraction.size());
   const int mantissaEnd = wholeEnd + (decimals > 0 ? 1 + decimals : 0);
   const int beside = std::clamp(cursor, sign + 1, std::max(sign + 1, mantissaEnd));
-  // Place of the digit left of the cursor: 0 for ones, -1 for tenths. The separator itself counts as ones.
+  // Place of the digit left of the cursor: 0 for ones, -1 for tenths. The separator itself counts
+  // as ones.
   const int digit = beside <= wholeEnd ? wholeEnd - beside : std::min(0, -(beside - wholeEnd - 1));
   const int place = digit + placesUp;
   const int kept = std::max(decimals, -place);

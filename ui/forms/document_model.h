@@ -1,7 +1,8 @@
-// The one document the forms edit: any described struct, owned behind an erased pointer, changed only through
-// one undo stack of small commands. Widgets hold no truth; they read here and listen. Values are SI; paths are
-// those of sim/core/schema.h. Text that was typed but is no value is kept beside the document: the document
-// keeps its last valid value and the text counts as a problem until it is put right.
+// The one document the forms edit: any described struct, owned behind an erased pointer, changed
+// only through one undo stack of small commands. Widgets hold no truth; they read here and listen.
+// Values are SI; paths are those of sim/core/schema.h. Text that was typed but is no value is kept
+// beside the document: the document keeps its last valid value and the text counts as a problem
+// until it is put right.
 #pragma once
 
 #include <QMap>
@@ -69,7 +70,8 @@ class DocumentModel : public QObject {
 
   /// The field (or list element) at `path`; empty if the document has no such place now.
   [[nodiscard]] std::optional<schema::Location> find(const QString& path) const;
-  /// The struct at `path`: the document itself (""), a group, the chosen alternative or a list element.
+  /// The struct at `path`: the document itself (""), a group, the chosen alternative or a list
+  /// element.
   [[nodiscard]] std::optional<schema::ConstRef> object(const QString& path) const;
   /// The value of the leaf at `path`, which must exist.
   [[nodiscard]] schema::Value get(const QString& path) const;
@@ -77,7 +79,8 @@ class DocumentModel : public QObject {
   /// Sets a leaf. Returns the problem, with the document unchanged, if the value is not allowed.
   std::optional<Problem> set(const QString& path, const schema::Value& value,
                              Edit edit = Edit::Single);
-  /// Chooses another alternative of the variant at `path`; undo brings back the old one with its values.
+  /// Chooses another alternative of the variant at `path`; undo brings back the old one with its
+  /// values.
   void choose(const QString& path, std::size_t option);
 
   void insertElement(const QString& list, std::size_t before);

@@ -1,4 +1,5 @@
-// The undo commands behind DocumentModel: each keeps the few values it changes, never the whole document.
+// The undo commands behind DocumentModel: each keeps the few values it changes, never the whole
+// document.
 #pragma once
 
 #include <QUndoCommand>

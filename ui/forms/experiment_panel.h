@@ -1,5 +1,5 @@
-// The panel at the left of the window: the tree of sections above the form of the chosen one. Give it a document
-// model and it edits that document, whatever its type.
+// The panel at the left of the window: the tree of sections above the form of the chosen one. Give
+// it a document model and it edits that document, whatever its type.
 #pragma once
 
 #include <QWidget>

@@ -16,7 +16,8 @@ FieldEditor::FieldEditor(const FormContext& context, const schema::Field& field,
     : QWidget(parent), context_(context), field_(field), path_(std::move(path)) {}
 
 FieldEditor::~FieldEditor() {
-  // A line edit with the focus loses it while it is destroyed, and would commit to an editor that is no more.
+  // A line edit with the focus loses it while it is destroyed, and would commit to an editor that
+  // is no more.
   for (QWidget* child : findChildren<QWidget*>()) child->disconnect(this);
 }
 

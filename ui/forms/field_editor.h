@@ -1,5 +1,5 @@
-// The editor of one field, made from its description. An editor shows what the document holds and turns what
-// a person does into edits of the document; it keeps no value of its own.
+// The editor of one field, made from its description. An editor shows what the document holds and
+// turns what a person does into edits of the document; it keeps no value of its own.
 #pragma once
 
 #include <QWidget>
@@ -64,8 +64,8 @@ class FieldEditor : public QWidget {
   QString path_;
 };
 
-/// The editor of a field: leaves as described; a combo box for a variant that is shown here; a link for what has
-/// a section of its own (`asLink`). `context` and `field` must outlive it.
+/// The editor of a field: leaves as described; a combo box for a variant that is shown here; a link
+/// for what has a section of its own (`asLink`). `context` and `field` must outlive it.
 FieldEditor* makeFieldEditor(const FormContext& context, const schema::Field& field,
                              const QString& path, bool asLink, QWidget* parent);
 

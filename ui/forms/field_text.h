@@ -1,5 +1,6 @@
-// How fields, values and places of a document are written for people: numbers in the shown unit with the
-// locale's decimal separator, symbols with subscripts, ranges, tool tips and "Vehicle › Motor" instead of paths.
+// How fields, values and places of a document are written for people: numbers in the shown unit
+// with the locale's decimal separator, symbols with subscripts, ranges, tool tips and "Vehicle ›
+// Motor" instead of paths.
 #pragma once
 
 #include <QLocale>
@@ -14,7 +15,8 @@ class UnitPreferences;
 /// std::string (UTF-8) as QString.
 QString toQString(std::string_view text);
 
-/// An SI number in `unit` with the fewest digits that read back as the same number; no unit, no grouping.
+/// An SI number in `unit` with the fewest digits that read back as the same number; no unit, no
+/// grouping.
 QString numberInUnit(double si, const QString& unit, const QLocale& locale);
 /// "kg·m²" for "kg*m^2", "Ω" for "Ohm"; empty for plain numbers.
 QString prettyUnit(const QString& symbol);
@@ -40,7 +42,8 @@ QString componentName(const schema::Field& field, std::size_t index);
 
 /// What a list element is called: its own name or title if it has one, else "Label 3".
 QString elementTitle(const schema::Field& list, const void* owner, std::size_t index);
-/// "Vehicle › Motors › Motor 2 › Phase resistance"; the path itself where the document has no such place.
+/// "Vehicle › Motors › Motor 2 › Phase resistance"; the path itself where the document has no such
+/// place.
 QString placeText(schema::ConstRef root, const QString& path);
 
 /// "is above the maximum" as "Is above the maximum."

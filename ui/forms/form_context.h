@@ -16,7 +16,8 @@ struct FormContext {
   QLocale locale{};
   /// Names offered where a field holds channel names; may be empty.
   std::function<QStringList()> channelNames{};
-  /// Whether there are ready components for the struct or variant at a path, and the picker for it; may be empty.
+  /// Whether there are ready components for the struct or variant at a path, and the picker for it;
+  /// may be empty.
   std::function<bool(const QString& path)> hasComponents{};
   std::function<void(const QString& path)> pickComponent{};
 };

@@ -1,5 +1,6 @@
-// One line of a form: label with symbol, editor, unit, the mark of a changed value, and below it the sentence of
-// what is wrong. Lays itself into the form's grid; knows the document only through its editor.
+// One line of a form: label with symbol, editor, unit, the mark of a changed value, and below it
+// the sentence of what is wrong. Lays itself into the form's grid; knows the document only through
+// its editor.
 #pragma once
 
 #include <QLabel>

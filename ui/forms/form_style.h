@@ -1,5 +1,6 @@
-// The one look of the forms: spacing grid, colours derived from the palette (so that light and dark both work),
-// and a frame that marks a widget without changing its size. Lengths are device-independent pixels.
+// The one look of the forms: spacing grid, colours derived from the palette (so that light and dark
+// both work), and a frame that marks a widget without changing its size. Lengths are
+// device-independent pixels.
 #pragma once
 
 #include <QColor>
@@ -49,7 +50,8 @@ class Frame : public QWidget {
   Severity severity_ = Severity::None;
 };
 
-/// Keeps the wheel from changing a combo box or spin box that has no focus; the form scrolls instead.
+/// Keeps the wheel from changing a combo box or spin box that has no focus; the form scrolls
+/// instead.
 class WheelGuard : public QObject {
   Q_OBJECT
 

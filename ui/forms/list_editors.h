@@ -1,4 +1,5 @@
-// Editors of lists: a table for lists of plain rows, else a list whose entries open their own section.
+// Editors of lists: a table for lists of plain rows, else a list whose entries open their own
+// section.
 #pragma once
 
 #include <QListWidget>

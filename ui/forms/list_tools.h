@@ -1,4 +1,5 @@
-// The buttons under a list: add, duplicate, remove, move up and down. Knows only counts and the chosen index.
+// The buttons under a list: add, duplicate, remove, move up and down. Knows only counts and the
+// chosen index.
 #pragma once
 
 #include <QWidget>

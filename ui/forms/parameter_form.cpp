@@ -116,8 +116,8 @@ void ParameterForm::rebuild() {
 }
 
 void ParameterForm::dropContent() {
-  // The old editors may be in the middle of a signal, so they go later; losing the focus must not make them
-  // write to places that are no longer theirs.
+  // The old editors may be in the middle of a signal, so they go later; losing the focus must not
+  // make them write to places that are no longer theirs.
   for (auto* row : rows_) row->detach();
   rows_.clear();
   lists_.clear();

@@ -1,6 +1,6 @@
-// The form of one section of the document, made from the schema alone: rows for the fields, titled parts for small
-// groups, links to large ones, tables, and a "More" button before the advanced fields. A new field in a schema
-// appears here without a line of code.
+// The form of one section of the document, made from the schema alone: rows for the fields, titled
+// parts for small groups, links to large ones, tables, and a "More" button before the advanced
+// fields. A new field in a schema appears here without a line of code.
 #pragma once
 
 #include <QScrollArea>
@@ -23,7 +23,8 @@ class ParameterForm : public QScrollArea {
   explicit ParameterForm(const FormContext& context, QWidget* parent = nullptr);
 
   [[nodiscard]] const QString& section() const { return section_; }
-  /// Shows the section at `path` (the document itself for ""), or the nearest one above that exists.
+  /// Shows the section at `path` (the document itself for ""), or the nearest one above that
+  /// exists.
   void showSection(const QString& path);
   /// Shows the section that holds `path`, opens "More" if needed and puts the focus on the field.
   void focusPlace(const QString& path);

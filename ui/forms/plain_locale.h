@@ -1,4 +1,5 @@
-// The reader's locale for typing numbers: no group separators, which are taken for decimal points too easily.
+// The reader's locale for typing numbers: no group separators, which are taken for decimal points
+// too easily.
 #pragma once
 
 #include <QLocale>

@@ -1,4 +1,5 @@
-// What is wrong with the document, one line each: where and what. A click (or Enter) asks to go there.
+// What is wrong with the document, one line each: where and what. A click (or Enter) asks to go
+// there.
 #pragma once
 
 #include <QWidget>

@@ -1,6 +1,7 @@
-// A line in which a person types one number: with either decimal separator, as an expression ("3*2"), with or
-// without a unit ("10 cm"). Arrow keys step the digit beside the cursor, Page keys the next higher one; the wheel
-// does so only with the keyboard focus. Knows nothing of documents; values are SI.
+// A line in which a person types one number: with either decimal separator, as an expression
+// ("3*2"), with or without a unit ("10 cm"). Arrow keys step the digit beside the cursor, Page keys
+// the next higher one; the wheel does so only with the keyboard focus. Knows nothing of documents;
+// values are SI.
 #pragma once
 
 #include <QLocale>
@@ -16,7 +17,8 @@ class QuantityEdit : public CommitEdit {
   Q_OBJECT
 
  public:
-  /// `field` gives unit and range and must outlive the editor; Integer fields take whole numbers only.
+  /// `field` gives unit and range and must outlive the editor; Integer fields take whole numbers
+  /// only.
   QuantityEdit(const schema::Field& field, const QLocale& locale, QWidget* parent = nullptr);
 
   /// Shows a value, discarding what was typed.

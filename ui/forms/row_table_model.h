@@ -1,5 +1,6 @@
-// A list of plain rows as a table: one row per element, one column per leaf (vectors one per component). Cells
-// are edited as text through the document; typed text that is no value stays in its cell.
+// A list of plain rows as a table: one row per element, one column per leaf (vectors one per
+// component). Cells are edited as text through the document; typed text that is no value stays in
+// its cell.
 #pragma once
 
 #include <QAbstractTableModel>
@@ -30,8 +31,8 @@ class RowTableModel : public QAbstractTableModel {
   [[nodiscard]] QModelIndex cellAt(const QString& path) const;
   [[nodiscard]] QString title(int column) const;
 
-  /// Pastes cells at `row`, `column`, adding rows as needed. Nothing changes and the sentence says why if one
-  /// cell does not fit; an empty sentence means success.
+  /// Pastes cells at `row`, `column`, adding rows as needed. Nothing changes and the sentence says
+  /// why if one cell does not fit; an empty sentence means success.
   QString paste(const QString& text, int row, int column);
 
   void reload();

@@ -23,7 +23,8 @@ namespace {
 
 enum Role { kPathRole = Qt::UserRole, kParameterRole };
 
-/// A drawing of our own for the struct's key, else nothing: a row of equal folder icons says nothing.
+/// A drawing of our own for the struct's key, else nothing: a row of equal folder icons says
+/// nothing.
 QIcon sectionIcon(const QString& typeKey) {
   const QString file = QStringLiteral(":/icons/sections/%1.svg").arg(typeKey);
   return QFile::exists(file) ? QIcon(file) : QIcon();

@@ -1,5 +1,6 @@
-// The tree of a document's sections, made from the schema and the values: which there are, which hold a problem,
-// which differ from the defaults. The search line finds parameters by label, key or symbol and shows where they are.
+// The tree of a document's sections, made from the schema and the values: which there are, which
+// hold a problem, which differ from the defaults. The search line finds parameters by label, key or
+// symbol and shows where they are.
 #pragma once
 
 #include <QHash>

@@ -1,5 +1,5 @@
-// Which parts of a document get a section of their own (a tree item with a form) and which are small enough to
-// stand inside their owner's form. Follows from the schema and the values alone.
+// Which parts of a document get a section of their own (a tree item with a form) and which are
+// small enough to stand inside their owner's form. Follows from the schema and the values alone.
 #pragma once
 
 #include <QString>
@@ -12,8 +12,8 @@ namespace rotorbench {
 /// Number of fields below `object` as a form would show them, chosen alternatives only.
 std::size_t countLeaves(schema::ConstRef object);
 
-/// True if the field is shown inside its owner's form: leaves, tables, and groups and variants that are small
-/// and hold no list.
+/// True if the field is shown inside its owner's form: leaves, tables, and groups and variants that
+/// are small and hold no list.
 bool isInline(const schema::Field& field, const void* owner);
 
 /// The path of the section whose form shows the place `path`; the root section is "".

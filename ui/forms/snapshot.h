@@ -1,5 +1,6 @@
-// The values of one described struct, kept apart from it: what undo commands remember of a list element, an
-// alternative or a whole group. Values are SI, as stored; the shape follows the order of schema::Type::fields.
+// The values of one described struct, kept apart from it: what undo commands remember of a list
+// element, an alternative or a whole group. Values are SI, as stored; the shape follows the order
+// of schema::Type::fields.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +12,8 @@ namespace rotorbench {
 
 struct Snapshot;
 
-/// What one field held: a leaf its value, a variant the chosen option, a list its length, and the structs below.
+/// What one field held: a leaf its value, a variant the chosen option, a list its length, and the
+/// structs below.
 struct FieldSnapshot {
   schema::Value value;
   std::size_t number = 0;

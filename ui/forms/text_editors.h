@@ -1,4 +1,5 @@
-// Editors of text: one line (with a browse button for files and completion for channel names) or a paragraph.
+// Editors of text: one line (with a browse button for files and completion for channel names) or a
+// paragraph.
 #pragma once
 
 #include <QPlainTextEdit>

@@ -1,4 +1,5 @@
-// What a person's text means as a value of a field: shared by line edits, table cells and pasted tables.
+// What a person's text means as a value of a field: shared by line edits, table cells and pasted
+// tables.
 #pragma once
 
 #include <QLocale>

@@ -1,4 +1,5 @@
-// The unit beside a number: dimmed until the pointer is on it; a click offers the units of the same dimension.
+// The unit beside a number: dimmed until the pointer is on it; a click offers the units of the same
+// dimension.
 #pragma once
 
 #include <QToolButton>

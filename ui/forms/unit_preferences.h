@@ -1,5 +1,6 @@
-// In which unit people want to read a quantity. Fields that declare the same display unit switch together (all
-// lengths declared in cm, but not the ones in inches); the choice is kept in the settings.
+// In which unit people want to read a quantity. Fields that declare the same display unit switch
+// together (all lengths declared in cm, but not the ones in inches); the choice is kept in the
+// settings.
 #pragma once
 
 #include <QHash>

@@ -16,8 +16,8 @@ class ComponentInfoDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `accept` does what is to be done with the texts and returns the sentence that says why it could not: the dialog
-  /// then stays open with it. Empty: done.
+  /// `accept` does what is to be done with the texts and returns the sentence that says why it
+  /// could not: the dialog then stays open with it. Empty: done.
   using Accept = std::function<QString(const ComponentInfo&)>;
 
   ComponentInfoDialog(const QString& title, const ComponentInfo& info, Accept accept,

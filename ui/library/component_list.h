@@ -1,4 +1,5 @@
-// The components of the library as a list with search: own ones and shipped ones under their headings.
+// The components of the library as a list with search: own ones and shipped ones under their
+// headings.
 #pragma once
 
 #include <QLocale>
@@ -26,7 +27,8 @@ class ComponentList : public QWidget {
 
   /// The chosen component, null if none. Valid until the library changes.
   [[nodiscard]] const LibraryEntry* current() const;
-  /// Shows what the library holds now and chooses the component of this file, or the nearest to what was chosen.
+  /// Shows what the library holds now and chooses the component of this file, or the nearest to
+  /// what was chosen.
   void reload(const std::filesystem::path& choose = {});
   void focusSearch();
 

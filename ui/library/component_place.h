@@ -1,5 +1,6 @@
-// A place of a document where components of the library fit: a struct that is a kind of component itself, or a variant
-// with alternatives that are one or hold one. Choosing a component fills the place as one undo step.
+// A place of a document where components of the library fit: a struct that is a kind of component
+// itself, or a variant with alternatives that are one or hold one. Choosing a component fills the
+// place as one undo step.
 #pragma once
 
 #include <QString>

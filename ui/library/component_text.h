@@ -1,4 +1,5 @@
-// How components are written for people: the few figures that tell them apart, and the table of all their values.
+// How components are written for people: the few figures that tell them apart, and the table of all
+// their values.
 #pragma once
 
 #include <QLocale>

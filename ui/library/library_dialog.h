@@ -1,6 +1,6 @@
-// The component library: find, look at, use, and keep one's own. Opened from a form it offers what fits the place and
-// fills it; opened from the menu it shows all kinds. Shipped components are never changed; one's own are files in a
-// folder of their own.
+// The component library: find, look at, use, and keep one's own. Opened from a form it offers what
+// fits the place and fills it; opened from the menu it shows all kinds. Shipped components are
+// never changed; one's own are files in a folder of their own.
 #pragma once
 
 #include <QDialog>

@@ -11,15 +11,16 @@ namespace rotorbench {
 class DocumentModel;
 class ExperimentPanel;
 
-/// What a form asks of the library (FormContext); `model` and `owner` outlive the form, dialogs are children of the
-/// owner's window.
+/// What a form asks of the library (FormContext); `model` and `owner` outlive the form, dialogs are
+/// children of the owner's window.
 struct ComponentHooks {
   std::function<bool(const QString& path)> has;
   std::function<void(const QString& path)> pick;
 };
 ComponentHooks componentHooks(DocumentModel& model, QWidget& owner);
 
-/// The panel must show `model`; both must outlive the dialogs, which are children of the panel's window.
+/// The panel must show `model`; both must outlive the dialogs, which are children of the panel's
+/// window.
 void connectLibrary(ExperimentPanel& panel, DocumentModel& model);
 
 }  // namespace rotorbench

@@ -1,4 +1,5 @@
-// What the library's dialog does with files: saving, copying, renaming, importing, exporting, deleting.
+// What the library's dialog does with files: saving, copying, renaming, importing, exporting,
+// deleting.
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>

@@ -1,5 +1,5 @@
-// Keeps a component that came about elsewhere, by a data sheet or a fit: asks what a person reads about it and saves it
-// in the user's library.
+// Keeps a component that came about elsewhere, by a data sheet or a fit: asks what a person reads
+// about it and saves it in the user's library.
 #pragma once
 
 #include <QString>
@@ -11,8 +11,8 @@ class QWidget;
 
 namespace rotorbench {
 
-/// Opens the question beside `owner`, filled with what the component says of itself; an empty name becomes "My motor". `done` gets
-/// one sentence once it is saved.
+/// Opens the question beside `owner`, filled with what the component says of itself; an empty name
+/// becomes "My motor". `done` gets one sentence once it is saved.
 void askToSaveComponent(const Component& component, QWidget* owner,
                         const std::function<void(const QString&)>& done);
 

@@ -1,5 +1,6 @@
-// Fits the open experiment's motor, propeller or lumped rotor to measured data: what is to be found at the left, values
-// with their intervals and measured against fitted at the right. The fit runs on another thread and can be cancelled.
+// Fits the open experiment's motor, propeller or lumped rotor to measured data: what is to be found
+// at the left, values with their intervals and measured against fitted at the right. The fit runs
+// on another thread and can be cancelled.
 #pragma once
 
 #include <QDialog>

@@ -36,7 +36,8 @@ const T* objectIn(schema::ConstRef root) {
   return found ? static_cast<const T*>(found->object) : nullptr;
 }
 
-/// The lumped rotor of the experiment in any of its three forms, as k_f and k_m at a density of 1.225 kg/m^3.
+/// The lumped rotor of the experiment in any of its three forms, as k_f and k_m at a density of
+/// 1.225 kg/m^3.
 std::optional<RotorCoefficients> lumpedIn(schema::ConstRef root) {
   if (const auto* rotor = objectIn<RotorCoefficients>(root)) return *rotor;
   double ct = 0, cp = 0, diameter = 0;

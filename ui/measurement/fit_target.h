@@ -1,5 +1,5 @@
-// Where the open experiment keeps what a fit starts from and what it finds: the first motor, the first propeller by its
-// geometry, the first lumped rotor of the document.
+// Where the open experiment keeps what a fit starts from and what it finds: the first motor, the
+// first propeller by its geometry, the first lumped rotor of the document.
 #pragma once
 
 #include <QString>
@@ -17,11 +17,13 @@ class FitTarget {
 
   /// Start values; those of the schema where the experiment has no such part.
   [[nodiscard]] FitStart start() const;
-  /// What the fit found, as a component with this text as its source. Empty if the result is of no use.
+  /// What the fit found, as a component with this text as its source. Empty if the result is of no
+  /// use.
   [[nodiscard]] std::optional<Component> component(const FitRequest& request, const FitStart& start,
                                                    const FitResult& result,
                                                    const std::string& source) const;
-  /// Where such a component would go in the experiment: "Experiment kind › Drive › Motor"; empty if nowhere.
+  /// Where such a component would go in the experiment: "Experiment kind › Drive › Motor"; empty if
+  /// nowhere.
   [[nodiscard]] QString place(const FitRequest& request) const;
   /// Puts the component there as one undo step.
   void use(const FitRequest& request, const Component& component);

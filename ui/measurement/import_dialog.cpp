@@ -173,7 +173,8 @@ void ImportDialog::takeSettings(const ImportSettings& settings) {
   check();
 }
 
-// Other columns may be other quantities: choices for columns of the same name stay, the rest is guessed.
+// Other columns may be other quantities: choices for columns of the same name stay, the rest is
+// guessed.
 void ImportDialog::layoutEdited() {
   if (!lines_) return;
   settings_.layout = layoutRow_->layout();

@@ -1,5 +1,5 @@
-// Import of measured data: the file, how its lines are cut, what each column is, and in sentences what will come of it.
-// The result is a measured run beside the computed ones.
+// Import of measured data: the file, how its lines are cut, what each column is, and in sentences
+// what will come of it. The result is a measured run beside the computed ones.
 #pragma once
 
 #include <QDialog>

@@ -1,5 +1,6 @@
-// The first rows of a table of measurements below rows of choices: what each column is, its unit, by what its numbers are
-// multiplied and what is added to them, and from where to where they then go.
+// The first rows of a table of measurements below rows of choices: what each column is, its unit,
+// by what its numbers are multiplied and what is added to them, and from where to where they then
+// go.
 #pragma once
 
 #include <QTableWidget>

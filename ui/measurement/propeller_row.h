@@ -1,5 +1,5 @@
-// What can be done with the table of a propeller beside showing it: only the curve of one speed goes to the charts, and
-// the whole of it becomes a component to fly with. Hidden for other tables.
+// What can be done with the table of a propeller beside showing it: only the curve of one speed
+// goes to the charts, and the whole of it becomes a component to fly with. Hidden for other tables.
 #pragma once
 
 #include <QWidget>
@@ -19,8 +19,8 @@ class PropellerRow : public QWidget {
  public:
   explicit PropellerRow(QWidget* parent = nullptr);
 
-  /// A file was opened. The first of these names, most trusted first, that tells a diameter ("10x4.7") gives it and the
-  /// component's name.
+  /// A file was opened. The first of these names, most trusted first, that tells a diameter
+  /// ("10x4.7") gives it and the component's name.
   void setNames(const QStringList& names, const QString& file);
   /// Offers what can be done with this table; keeps a chosen speed it has.
   void show(const MeasuredTable& table);

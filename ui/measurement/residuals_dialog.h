@@ -1,5 +1,5 @@
-// A measured run against a computed one: for each channel both have, how far they are apart, and the residuals of one of
-// them as a chart.
+// A measured run against a computed one: for each channel both have, how far they are apart, and
+// the residuals of one of them as a chart.
 #pragma once
 
 #include <QDialog>

@@ -1,9 +1,10 @@
-// Chord and twist of a blade over its radius, drawn with a handle at every station that can be dragged up and down.
-// Knows no document: it shows the stations it is given and says what a person wants changed. Radii and chords are
-// fractions of the tip radius; angles in rad, shown in degrees.
+// Chord and twist of a blade over its radius, drawn with a handle at every station that can be
+// dragged up and down. Knows no document: it shows the stations it is given and says what a person
+// wants changed. Radii and chords are fractions of the tip radius; angles in rad, shown in degrees.
 //
-// Mouse: drag a handle; double click adds a station there. Keys: left and right choose a station, up and down change
-// it (with Shift ten times as much), Space goes from chord to twist, Insert adds a station after it, Delete removes it.
+// Mouse: drag a handle; double click adds a station there. Keys: left and right choose a station,
+// up and down change it (with Shift ten times as much), Space goes from chord to twist, Insert adds
+// a station after it, Delete removes it.
 #pragma once
 
 #include <QWidget>

@@ -8,8 +8,9 @@
 
 namespace rotorbench {
 
-/// One section of all the polars, named after the first file, in the order of their Reynolds numbers. Throws
-/// InputError naming the file and line at fault, or two files of one Reynolds number.
+/// One section of all the polars, named after the first file, in the order of their Reynolds
+/// numbers. Throws InputError naming the file and line at fault, or two files of one Reynolds
+/// number.
 PolarSection sectionFromFiles(const QStringList& files);
 
 /// The geometry with this section from `radius` (r/R) on; a section that begins there is replaced.

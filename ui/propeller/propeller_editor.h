@@ -1,6 +1,6 @@
-// Edits one propeller of a document: the form with its tables at the left, chord and twist on a chart and the drawn
-// blade in 3D at the right, and below them live what it does by blade elements. It edits the document itself, so the
-// experiment's form and undo know every change.
+// Edits one propeller of a document: the form with its tables at the left, chord and twist on a
+// chart and the drawn blade in 3D at the right, and below them live what it does by blade elements.
+// It edits the document itself, so the experiment's form and undo know every change.
 #pragma once
 
 #include <QDialog>
@@ -34,8 +34,8 @@ class PropellerEditor : public QDialog {
 
   [[nodiscard]] QString path() const { return path_; }
   [[nodiscard]] const PropellerGeometry& geometry() const;
-  /// A section from these polar files, from the given radius (r/R) on, as one undo step. False, with a sentence in the
-  /// window, if a file is no polar.
+  /// A section from these polar files, from the given radius (r/R) on, as one undo step. False,
+  /// with a sentence in the window, if a file is no polar.
   bool importPolars(const QStringList& files, double radius);
 
  private:

@@ -1,5 +1,6 @@
-// What a propeller does, live beside its editor: thrust and power coefficient and efficiency over the advance ratio
-// at a rotor speed a person chooses, and the figures one looks for in a sentence. Standard air at sea level.
+// What a propeller does, live beside its editor: thrust and power coefficient and efficiency over
+// the advance ratio at a rotor speed a person chooses, and the figures one looks for in a sentence.
+// Standard air at sea level.
 #pragma once
 
 #include <QWidget>

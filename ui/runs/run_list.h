@@ -75,10 +75,12 @@ class RunList : public QAbstractListModel {
   int nextId_ = 1;
 };
 
-/// What a run came to that nobody asked for, in the reader's locale: "below the ground at 3.1 s"; empty if nothing.
+/// What a run came to that nobody asked for, in the reader's locale: "below the ground at 3.1 s";
+/// empty if nothing.
 QStringList verdictTexts(const RunStatus& status);
 
-/// "Measured, 154 rows", "30 s in 0.42 s", "Stopped at 3.2 s of simulated time", in the reader's locale.
+/// "Measured, 154 rows", "30 s in 0.42 s", "Stopped at 3.2 s of simulated time", in the reader's
+/// locale.
 QString runDetail(const RunRecord& record);
 
 }  // namespace rotorbench

@@ -1,5 +1,5 @@
-// Plays a recording: play and pause, speed, scrubbing, loop, and following a run that is still going on. Knows
-// only times in s; what is shown at a time is up to the listener of timeChanged().
+// Plays a recording: play and pause, speed, scrubbing, loop, and following a run that is still
+// going on. Knows only times in s; what is shown at a time is up to the listener of timeChanged().
 #pragma once
 
 #include <QElapsedTimer>
@@ -18,8 +18,8 @@ class PlaybackBar : public QWidget {
  public:
   explicit PlaybackBar(QWidget* parent = nullptr);
 
-  /// The times that can be shown, s. Following, the time moves to `end`; else it stays where it was, within
-  /// the range. `live`: the range still grows.
+  /// The times that can be shown, s. Following, the time moves to `end`; else it stays where it
+  /// was, within the range. `live`: the range still grows.
   void setRange(double start, double end, bool live);
   /// Clamped to the range; timeChanged() tells if that is another time. Not following any more.
   void setTime(double time);

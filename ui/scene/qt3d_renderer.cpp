@@ -169,7 +169,8 @@ void Qt3dRenderer::takeCapture() {
   Qt3DRender::QRenderCaptureReply* reply = std::exchange(parts_->reply, nullptr);
   const QImage image = reply->image();
   reply->deleteLater();
-  // New entities need a frame or two until shaders and buffers are loaded; an empty picture is not shown.
+  // New entities need a frame or two until shaders and buffers are loaded; an empty picture is not
+  // shown.
   if (parts_->warmUp > 0) {
     const bool first = parts_->warmUp == kWarmUpFrames;
     --parts_->warmUp;

@@ -1,5 +1,6 @@
-// Renders a stage with Qt 3D into images: an engine without a window, four-fold multisampling, frames on
-// demand only. Pictures come back to the event loop; one is under way at a time. Needs openGlWorks().
+// Renders a stage with Qt 3D into images: an engine without a window, four-fold multisampling,
+// frames on demand only. Pictures come back to the event loop; one is under way at a time. Needs
+// openGlWorks().
 #pragma once
 
 #include <QImage>

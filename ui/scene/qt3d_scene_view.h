@@ -1,6 +1,6 @@
-// The 3D view by Qt 3D: pictures rendered without a window and painted into the widget, so that it docks,
-// floats, grabs and carries writing like any other widget. The engine is made when the first picture is
-// wanted. Needs openGlWorks().
+// The 3D view by Qt 3D: pictures rendered without a window and painted into the widget, so that it
+// docks, floats, grabs and carries writing like any other widget. The engine is made when the first
+// picture is wanted. Needs openGlWorks().
 #pragma once
 
 #include <memory>

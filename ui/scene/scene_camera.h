@@ -1,6 +1,7 @@
-// Where the eye stands: orbit (fixed in the room, drifting after a vehicle that leaves the middle of the
-// picture), chase (behind the vehicle, turning with its heading) and top (from above, forward is up).
-// Inertial frame x forward, y left, z up; metres and radians. Both views draw through the same camera.
+// Where the eye stands: orbit (fixed in the room, drifting after a vehicle that leaves the middle
+// of the picture), chase (behind the vehicle, turning with its heading) and top (from above,
+// forward is up). Inertial frame x forward, y left, z up; metres and radians. Both views draw
+// through the same camera.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,8 +44,8 @@ class Projector {
 
 class SceneCamera {
  public:
-  /// Default place for a vehicle of this size (radius of the sphere round it, m); `planar` looks square on
-  /// at the y-z plane.
+  /// Default place for a vehicle of this size (radius of the sphere round it, m); `planar` looks
+  /// square on at the y-z plane.
   void reset(double radius, bool planar);
   void setMode(CameraMode mode) { mode_ = mode; }
   [[nodiscard]] CameraMode mode() const { return mode_; }

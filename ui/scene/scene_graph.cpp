@@ -29,7 +29,8 @@ out vec3 color;
 uniform mat4 mvp;
 uniform mat4 modelMatrix;
 void main() {
-  // Rotation times scale: dividing by the squared length of each column gives the inverse transpose.
+  // Rotation times scale: dividing by the squared length of each column gives the inverse
+  // transpose.
   mat3 m = mat3(modelMatrix);
   vec3 s = vec3(dot(m[0], m[0]), dot(m[1], m[1]), dot(m[2], m[2]));
   normal = m * (vertexNormal / max(s, vec3(1e-12)));

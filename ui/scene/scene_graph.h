@@ -1,5 +1,6 @@
-// A stage as a Qt 3D scene graph: one entity per item, made once per model; per frame only transforms,
-// switches and the two changing meshes are written. Pure construction: needs no engine, so tests can count.
+// A stage as a Qt 3D scene graph: one entity per item, made once per model; per frame only
+// transforms, switches and the two changing meshes are written. Pure construction: needs no engine,
+// so tests can count.
 #pragma once
 
 #include <QPointer>

@@ -1,6 +1,6 @@
-// The writing over a 3D picture: time, altitude, camera, scale of the grid, a cross of axes, numbers at the
-// grid lines. Computed with the camera of a picture and painted with that picture, so that the writing
-// never runs ahead of a picture that takes a while to render.
+// The writing over a 3D picture: time, altitude, camera, scale of the grid, a cross of axes,
+// numbers at the grid lines. Computed with the camera of a picture and painted with that picture,
+// so that the writing never runs ahead of a picture that takes a while to render.
 #pragma once
 
 #include <QPainter>
@@ -19,8 +19,8 @@ struct SceneHud {
   };
   QString topLeft, topRight, bottomLeft;
   std::vector<Label> labels;
-  /// The inertial axes as seen, for the small cross in the corner; empty if switched off. Unit lengths,
-  /// farthest first.
+  /// The inertial axes as seen, for the small cross in the corner; empty if switched off. Unit
+  /// lengths, farthest first.
   struct Axis {
     QPointF direction;
     QString letter;

@@ -1,6 +1,6 @@
-// The things a 3D scene is made of, without a renderer: a fixed list of named meshes per model (itemsOf) and,
-// per instant, where each of them stands (placeItems). Both views are built from these two functions, so they
-// show the same vehicle. Inertial frame, metres, radians.
+// The things a 3D scene is made of, without a renderer: a fixed list of named meshes per model
+// (itemsOf) and, per instant, where each of them stands (placeItems). Both views are built from
+// these two functions, so they show the same vehicle. Inertial frame, metres, radians.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -175,8 +175,8 @@ Mesh tubeMesh(std::span<const Eigen::Vector3d> path, float radius, int sides, co
 }
 
 Vec3f bladePoint(const DrawnStation& station, double spin, BladePoint point) {
-  // Share of the chord behind the quarter-chord line, and height over the chord line: a lens with its
-  // crest at 30 % of the chord, 9 % thick above and 4 % below.
+  // Share of the chord behind the quarter-chord line, and height over the chord line: a lens with
+  // its crest at 30 % of the chord, 9 % thick above and 4 % below.
   struct Outline {
     double ahead, above;
   };

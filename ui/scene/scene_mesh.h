@@ -1,6 +1,7 @@
-// Triangle and line meshes of a 3D scene, and the solids they are put together from. Nothing here knows a
-// renderer: the Qt 3D view uploads these meshes, the drawn view projects them. Metres; every solid stands on
-// its own z axis. Outward normals; a zero normal marks what is drawn in its plain colour, without light.
+// Triangle and line meshes of a 3D scene, and the solids they are put together from. Nothing here
+// knows a renderer: the Qt 3D view uploads these meshes, the drawn view projects them. Metres;
+// every solid stands on its own z axis. Outward normals; a zero normal marks what is drawn in its
+// plain colour, without light.
 #pragma once
 
 #include <Eigen/Core>
@@ -36,8 +37,8 @@ struct Mesh {
 /// How finely round things are cut: High for the graphics card, Low for the painter.
 enum class MeshDetail { Low, High };
 
-/// Circular frustum from z0 (radius0) to z1 (radius1) with both caps. `pieces` cuts a long one across, so that
-/// the painter can sort its parts by depth.
+/// Circular frustum from z0 (radius0) to z1 (radius1) with both caps. `pieces` cuts a long one
+/// across, so that the painter can sort its parts by depth.
 Mesh frustumMesh(float radius0, float radius1, float z0, float z1, int sides, const Vec3f& color,
                  int pieces = 1);
 Mesh sphereMesh(float radius, int sides, const Vec3f& color);
@@ -50,9 +51,9 @@ Mesh tubeMesh(std::span<const Eigen::Vector3d> path, float radius, int sides, co
 /// Points on the section outline of bladeMesh, in this order around every station.
 enum BladePoint { kLeadingEdge, kUpperCrest, kTrailingEdge, kLowerCrest, kBladePoints };
 
-/// One blade along +x in the rotor frame (z = thrust axis): a twisted surface through the stations with the
-/// quarter-chord line on x, the leading edge towards spin * (+y) and raised by the twist. `tip` colours the
-/// outer tenth. With fewer than two stations a plain blade of `radius` is drawn.
+/// One blade along +x in the rotor frame (z = thrust axis): a twisted surface through the stations
+/// with the quarter-chord line on x, the leading edge towards spin * (+y) and raised by the twist.
+/// `tip` colours the outer tenth. With fewer than two stations a plain blade of `radius` is drawn.
 Mesh bladeMesh(std::span<const DrawnStation> stations, double radius, double spin,
                const Vec3f& color, const Vec3f& tip);
 /// Outline point of one station, rotor frame, m.

@@ -1,4 +1,5 @@
-// Draws a stage with QPainter alone: flat-shaded, sorted back to front. The picture where there is no OpenGL.
+// Draws a stage with QPainter alone: flat-shaded, sorted back to front. The picture where there is
+// no OpenGL.
 #pragma once
 
 #include <QPainter>

@@ -1,6 +1,6 @@
-// The 3D panel of the window: tool bar (cameras, what is shown), the view, the playback bar. Give it the
-// drawing of the vehicle and a recording (which may still be growing); tie setTime() and timeChanged() to the
-// chart cursor. GUI thread only.
+// The 3D panel of the window: tool bar (cameras, what is shown), the view, the playback bar. Give
+// it the drawing of the vehicle and a recording (which may still be growing); tie setTime() and
+// timeChanged() to the chart cursor. GUI thread only.
 #pragma once
 
 #include <QImage>
@@ -35,7 +35,8 @@ class ScenePanel : public QWidget {
   void setTime(double time);
   /// Keeps the newest sample in view while the run goes on.
   void followLive(bool follow);
-  /// The view as a picture of this size in pixels, with its writing; works hidden and without OpenGL.
+  /// The view as a picture of this size in pixels, with its writing; works hidden and without
+  /// OpenGL.
   [[nodiscard]] QImage snapshot(const QSize& size);
 
   [[nodiscard]] double time() const;

@@ -1,5 +1,6 @@
-// What stands on the stage at this instant: model, recording, time, camera and switches turned into placed
-// meshes. No widget and no renderer; both views hold one and draw it. Positions in the inertial frame, m.
+// What stands on the stage at this instant: model, recording, time, camera and switches turned into
+// placed meshes. No widget and no renderer; both views hold one and draw it. Positions in the
+// inertial frame, m.
 #pragma once
 
 #include <memory>
@@ -23,8 +24,8 @@ class SceneStage {
   void setRecording(std::shared_ptr<const Recording> recording);
   void setColors(const SceneColors& colors);
   void setOptions(const SceneOptions& options) { options_ = options; }
-  /// Moves everything to the time in s; also call it when the recording has grown. Samples that are not
-  /// finite (a failed run) leave the vehicle where it was.
+  /// Moves everything to the time in s; also call it when the recording has grown. Samples that are
+  /// not finite (a failed run) leave the vehicle where it was.
   void setTime(double time);
   void resetCamera();
 

@@ -68,7 +68,8 @@ void SceneView::setOptions(const SceneOptions& options) {
 void SceneView::requestFrame() {
   frameWanted_ = true;
   if (!isVisible() || frameTimer_.isActive()) return;
-  // A software renderer takes long for large pictures; a third of the time stays free for the simulation.
+  // A software renderer takes long for large pictures; a third of the time stays free for the
+  // simulation.
   const qint64 interval = std::max<qint64>(kFrameMs, renderMs_ * 3 / 2);
   const qint64 waited = sinceFrame_.isValid() ? sinceFrame_.elapsed() : interval;
   frameTimer_.start(static_cast<int>(std::clamp<qint64>(interval - waited, 0, interval)));

@@ -1,8 +1,9 @@
-// The 3D view of a vehicle: an abstract widget with camera and switches, drawn either by Qt 3D or, where no
-// OpenGL context can be made, by QPainter. createSceneView() chooses. GUI thread only; reads published rows.
+// The 3D view of a vehicle: an abstract widget with camera and switches, drawn either by Qt 3D or,
+// where no OpenGL context can be made, by QPainter. createSceneView() chooses. GUI thread only;
+// reads published rows.
 //
-// Mouse: drag turns, wheel zooms, double click resets. Keys: arrows turn, + and - zoom, Home resets, Space
-// asks for play or pause.
+// Mouse: drag turns, wheel zooms, double click resets. Keys: arrows turn, + and - zoom, Home
+// resets, Space asks for play or pause.
 #pragma once
 
 #include <QElapsedTimer>
@@ -83,8 +84,8 @@ class SceneView : public QWidget {
   QPointF lastDrag_;
 };
 
-/// Qt 3D if an OpenGL 3.3 context can be made, else the drawn view. ROTORBENCH_SCENE=drawn or =qt3d in the
-/// environment asks for one of them; qt3d without OpenGL still gives the drawn view.
+/// Qt 3D if an OpenGL 3.3 context can be made, else the drawn view. ROTORBENCH_SCENE=drawn or =qt3d
+/// in the environment asks for one of them; qt3d without OpenGL still gives the drawn view.
 SceneView* createSceneView(QWidget* parent);
 
 }  // namespace rotorbench

@@ -1,5 +1,5 @@
-// Every command of the window with its name, icon and shortcut, and the menus and the tool bar that show them.
-// What a command does is connected by the main window.
+// Every command of the window with its name, icon and shortcut, and the menus and the tool bar that
+// show them. What a command does is connected by the main window.
 #pragma once
 
 #include <QAction>

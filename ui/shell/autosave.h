@@ -1,6 +1,7 @@
-// A copy of unsaved work that outlives a crash. Each running window has a session in the data folder: a lock
-// file with its process id, the experiment as last edited, and where it belongs. A session whose process is gone
-// is offered for recovery at the next start. A clean end leaves nothing behind.
+// A copy of unsaved work that outlives a crash. Each running window has a session in the data
+// folder: a lock file with its process id, the experiment as last edited, and where it belongs. A
+// session whose process is gone is offered for recovery at the next start. A clean end leaves
+// nothing behind.
 #pragma once
 
 #include <QDateTime>
@@ -39,8 +40,8 @@ class Autosave {
   /// Returns when what was given to keep() is on disk.
   void flush();
 
-  /// Work of sessions whose process has ended. They are this window's from now on: another window started
-  /// meanwhile does not see them.
+  /// Work of sessions whose process has ended. They are this window's from now on: another window
+  /// started meanwhile does not see them.
   std::vector<LostWork> takeLostWork();
   /// The experiment of a lost session. Throws InputError if it cannot be read.
   [[nodiscard]] Experiment recover(const LostWork& work) const;

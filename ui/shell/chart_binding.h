@@ -1,5 +1,5 @@
-// Keeps the charts on screen and `outputs.charts` of the document the same: what a person does to a chart is an
-// edit of the experiment and can be undone.
+// Keeps the charts on screen and `outputs.charts` of the document the same: what a person does to a
+// chart is an edit of the experiment and can be undone.
 #pragma once
 
 #include <QObject>

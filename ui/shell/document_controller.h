@@ -1,6 +1,6 @@
-// The experiment being edited and the file it belongs to: new, open, save, autosave and recovery. Asks nothing
-// and shows nothing; questions to the user are DocumentDialogs' part. Files are read on a worker thread, so that a
-// large or slow one never stops the window.
+// The experiment being edited and the file it belongs to: new, open, save, autosave and recovery.
+// Asks nothing and shows nothing; questions to the user are DocumentDialogs' part. Files are read
+// on a worker thread, so that a large or slow one never stops the window.
 #pragma once
 
 #include <QFutureWatcher>
@@ -36,8 +36,8 @@ class DocumentController : public QObject {
   [[nodiscard]] QString displayName() const;
 
   void startNew();
-  /// Reads the file in the background; opened() or failed() follows. A template (gallery card) is opened as a
-  /// new document without a file of its own.
+  /// Reads the file in the background; opened() or failed() follows. A template (gallery card) is
+  /// opened as a new document without a file of its own.
   void open(const QString& file, bool asTemplate = false);
   [[nodiscard]] bool opening() const { return reading_.isRunning(); }
   /// Throws InputError.

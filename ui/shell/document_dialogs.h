@@ -1,5 +1,5 @@
-// Questions about documents: which file, save before closing, recover after a crash. All are window-modal and
-// answered by signals or callbacks; none blocks the event loop.
+// Questions about documents: which file, save before closing, recover after a crash. All are
+// window-modal and answered by signals or callbacks; none blocks the event loop.
 #pragma once
 
 #include <QObject>
@@ -23,7 +23,8 @@ class DocumentDialogs : public QObject {
   void openFile(const QString& file, bool asTemplate = false);
   void save();
   void saveAs();
-  /// Calls `proceed` at once if nothing is unsaved, else when the user has saved or given up the changes.
+  /// Calls `proceed` at once if nothing is unsaved, else when the user has saved or given up the
+  /// changes.
   void guard(std::function<void()> proceed);
   /// Offers work that a crash left behind, newest first.
   void offerRecovery();

@@ -1,5 +1,5 @@
-// The small picture on a gallery card: the experiment's vehicle drawn from its own geometry, or a plain chart
-// where there is no vehicle.
+// The small picture on a gallery card: the experiment's vehicle drawn from its own geometry, or a
+// plain chart where there is no vehicle.
 #pragma once
 
 #include <QImage>

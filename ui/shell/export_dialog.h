@@ -1,5 +1,5 @@
-// What leaves the program: a chart or all of them as a figure or table, the 3D view as a picture, a run's
-// recordings with its metrics and experiment.
+// What leaves the program: a chart or all of them as a figure or table, the 3D view as a picture, a
+// run's recordings with its metrics and experiment.
 #pragma once
 
 #include <QDialog>

@@ -1,4 +1,5 @@
-// A ready experiment on the start page: picture, title and one line. A button, so the keyboard reaches it.
+// A ready experiment on the start page: picture, title and one line. A button, so the keyboard
+// reaches it.
 #pragma once
 
 #include <QAbstractButton>

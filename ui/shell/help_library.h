@@ -1,7 +1,7 @@
-// The help pages: HTML files in resources/help. A page names itself in <title> and lists in
-// <meta name="topics" content="…"> the panels and schema sections it explains, so that F1 finds it without a
-// table elsewhere. A line <!-- parameters: KEY --> stands for the table of the parameters of that schema type,
-// made from the schema.
+// The help pages: HTML files in resources/help. A page names itself in <title> and lists in <meta
+// name="topics" content="…"> the panels and schema sections it explains, so that F1 finds it
+// without a table elsewhere. A line <!-- parameters: KEY --> stands for the table of the parameters
+// of that schema type, made from the schema.
 #pragma once
 
 #include <QHash>

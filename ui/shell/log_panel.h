@@ -1,4 +1,5 @@
-// What happened in this session: runs, their statistics and failures, files opened and saved. Newest last.
+// What happened in this session: runs, their statistics and failures, files opened and saved.
+// Newest last.
 #pragma once
 
 #include <QPlainTextEdit>

@@ -172,7 +172,8 @@ void MainWindow::connectTools() {
   }
 }
 
-/// Gives the dialog that has just come up its page of the help; windows of their own do not see the main window's keys.
+/// Gives the dialog that has just come up its page of the help; windows of their own do not see the
+/// main window's keys.
 void MainWindow::answerHelpKey(const QString& topic) {
   const QString name = QStringLiteral("helpKey");
   for (auto* dialog : findChildren<QDialog*>(Qt::FindDirectChildrenOnly)) {

@@ -1,5 +1,5 @@
-// The window: start page and workbench, with the menus, the tool bar and the status bar that belong to both. Owns
-// document, runs and panels and connects them; each does its own work.
+// The window: start page and workbench, with the menus, the tool bar and the status bar that belong
+// to both. Owns document, runs and panels and connects them; each does its own work.
 #pragma once
 
 #include <QMainWindow>

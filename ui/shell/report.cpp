@@ -16,7 +16,8 @@ namespace {
 
 constexpr QSize kGridSize{1400, 1000};
 constexpr QSize kScenePicture{1280, 800};
-/// The instant of the 3D picture, as part of the run: under way, where a flight is more than a dot at rest.
+/// The instant of the 3D picture, as part of the run: under way, where a flight is more than a dot
+/// at rest.
 constexpr double kSceneInstant = 0.4;
 
 [[noreturn]] void fail(const QString& sentence) {

@@ -199,8 +199,8 @@ void RunDesk::showMetrics(int id) {
     bench_.metrics().setMetrics(record->name, record->status.metrics);
 }
 
-// The runs of one experiment (the methods of a comparison) follow each other in the palette; the colour of the
-// record is that of the first.
+// The runs of one experiment (the methods of a comparison) follow each other in the palette; the
+// colour of the record is that of the first.
 void RunDesk::fillRunSet() {
   std::vector<ChartRun> shown;
   const auto visible = std::ranges::count_if(runs_.records(), &RunRecord::visible);

@@ -1,5 +1,6 @@
-// What happens round a run: it is refused while the document has errors, its recordings appear in charts and
-// scene while they grow, its figures and its end are noted, and the scene's time is the charts' cursor.
+// What happens round a run: it is refused while the document has errors, its recordings appear in
+// charts and scene while they grow, its figures and its end are noted, and the scene's time is the
+// charts' cursor.
 #pragma once
 
 #include <QObject>

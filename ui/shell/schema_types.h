@@ -1,4 +1,5 @@
-// Finds a described struct by its key anywhere below a type: members, alternatives and list elements.
+// Finds a described struct by its key anywhere below a type: members, alternatives and list
+// elements.
 #pragma once
 
 #include <string_view>

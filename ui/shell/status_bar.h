@@ -1,4 +1,5 @@
-// The lower edge of the window: the last message, how a run goes, and how many problems the document has.
+// The lower edge of the window: the last message, how a run goes, and how many problems the
+// document has.
 #pragma once
 
 #include <QStatusBar>

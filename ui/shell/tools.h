@@ -1,5 +1,5 @@
-// The commands of the Tools menu: dialogs beside the experiment, one line each. A tool gets what it may work with and
-// opens itself; adding one is one line in tools.cpp.
+// The commands of the Tools menu: dialogs beside the experiment, one line each. A tool gets what it
+// may work with and opens itself; adding one is one line in tools.cpp.
 #pragma once
 
 #include <QString>

@@ -1,5 +1,6 @@
-// The page where experiments are worked on: charts in the middle, the other panels as docks round them that can
-// be moved, floated, tabbed and closed. Owns the panels and their layout; what they show is wired elsewhere.
+// The page where experiments are worked on: charts in the middle, the other panels as docks round
+// them that can be moved, floated, tabbed and closed. Owns the panels and their layout; what they
+// show is wired elsewhere.
 #pragma once
 
 #include <QMainWindow>

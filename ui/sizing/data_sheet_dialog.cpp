@@ -61,8 +61,8 @@ DataSheetDialog::DataSheetDialog(DocumentModel& experiment, QWidget* parent)
   result_.ask();
 }
 
-// The form reads the document to its end. It leaves the dialog first: a button that gets the focus while its neighbours
-// are deleted would make the dialog look for its default button among them.
+// The form reads the document to its end. It leaves the dialog first: a button that gets the focus
+// while its neighbours are deleted would make the dialog look for its default button among them.
 DataSheetDialog::~DataSheetDialog() {
   form_->hide();
   form_->setParent(nullptr);

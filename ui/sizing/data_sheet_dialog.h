@@ -1,5 +1,6 @@
-// Motor from a data sheet: what sellers print at the left, what follows from it at the right, at once, with formulas,
-// warnings and a chart; and a button that puts the drive into the open experiment as one undo step.
+// Motor from a data sheet: what sellers print at the left, what follows from it at the right, at
+// once, with formulas, warnings and a chart; and a button that puts the drive into the open
+// experiment as one undo step.
 #pragma once
 
 #include <QDialog>
@@ -24,7 +25,8 @@ class DataSheetDialog : public QDialog {
   Q_OBJECT
 
  public:
-  /// `experiment` holds the open experiment and outlives the dialog, which starts from its motor if it has one.
+  /// `experiment` holds the open experiment and outlives the dialog, which starts from its motor if
+  /// it has one.
   explicit DataSheetDialog(DocumentModel& experiment, QWidget* parent = nullptr);
   ~DataSheetDialog() override;
 

@@ -1,6 +1,6 @@
-// A sheet of figures as a table: groups with a title each, quantity, symbol, value in a sensible unit, and how it is
-// worked out or what limits it; warnings below. Numbers in the reader's locale, in
-// sentences too. Copies as text, or as CSV for programs.
+// A sheet of figures as a table: groups with a title each, quantity, symbol, value in a sensible
+// unit, and how it is worked out or what limits it; warnings below. Numbers in the reader's locale,
+// in sentences too. Copies as text, or as CSV for programs.
 #pragma once
 
 #include <QWidget>

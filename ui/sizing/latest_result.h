@@ -1,5 +1,5 @@
-// Work on another thread that follows what a person types: asked again and again, it waits until typing pauses, works
-// once at a time, and shows only a result that is still wanted.
+// Work on another thread that follows what a person types: asked again and again, it waits until
+// typing pauses, works once at a time, and shows only a result that is still wanted.
 #pragma once
 
 #include <QFutureWatcher>
@@ -16,8 +16,8 @@ class LatestResult {
  public:
   using Job = std::function<Result()>;
 
-  /// `prepare` takes what the job needs, on this thread; the job itself runs on another one and must not throw; `show`
-  /// gets the result on this thread again.
+  /// `prepare` takes what the job needs, on this thread; the job itself runs on another one and
+  /// must not throw; `show` gets the result on this thread again.
   LatestResult(std::function<Job()> prepare, std::function<void(const Result&)> show)
       : prepare_(std::move(prepare)), show_(std::move(show)) {
     constexpr int kPause = 60;  // ms

@@ -66,8 +66,8 @@ PerformanceDialog::PerformanceDialog(DocumentModel& experiment, QWidget* parent)
   result_.ask();
 }
 
-// The form reads the settings to its end. It leaves the dialog first: a button that gets the focus while its neighbours
-// are deleted would make the dialog look for its default button among them.
+// The form reads the settings to its end. It leaves the dialog first: a button that gets the focus
+// while its neighbours are deleted would make the dialog look for its default button among them.
 PerformanceDialog::~PerformanceDialog() {
   form_->hide();
   form_->setParent(nullptr);

@@ -1,5 +1,5 @@
-// Performance of the vehicle: what the open experiment's vehicle lifts, how long and how fast it flies, and which limit
-// decides each figure. Follows the document while it is edited.
+// Performance of the vehicle: what the open experiment's vehicle lifts, how long and how fast it
+// flies, and which limit decides each figure. Follows the document while it is edited.
 #pragma once
 
 #include <QDialog>

@@ -1,4 +1,5 @@
-// Thrust and current of one drive over the throttle, with the hover point, as one of the program's charts.
+// Thrust and current of one drive over the throttle, with the hover point, as one of the program's
+// charts.
 #pragma once
 
 #include <QWidget>

@@ -49,8 +49,8 @@ struct SecondOrder {
     }
     return (from + to) / 2;
   }
-  /// The response turns at k pi / omega_d, exp(-zeta omega t) away from 1: it enters the band for good after the
-  /// last turn outside.
+  /// The response turns at k pi / omega_d, exp(-zeta omega t) away from 1: it enters the band for
+  /// good after the last turn outside.
   [[nodiscard]] double settlingTime(double band) const {
     const double half = std::numbers::pi / damped();
     int turn = 0;
@@ -192,7 +192,8 @@ void TestStepResponse::noStep() {
   QCOMPARE(figures.restError, 0.125 * std::exp(-0.09));
 }
 
-/// Of several steps in one recording only the rows of the window count, and times count from its first row.
+/// Of several steps in one recording only the rows of the window count, and times count from its
+/// first row.
 void TestStepResponse::windowOfALongRecording() {
   constexpr double kTau = 0.25;
   const Recorded recorded(

@@ -77,7 +77,8 @@ void TestPid::outputStaysWithinTheLimit() {
   QCOMPARE(pid.propose(-100, 0), -3.0);
 }
 
-/// Double integrator with little authority and a large step: without back-calculation the overshoot is far larger.
+/// Double integrator with little authority and a large step: without back-calculation the overshoot
+/// is far larger.
 void TestPid::backCalculationPreventsWindUp() {
   const auto overshoot = [](double trackingTime) {
     const double h = 1e-3;
@@ -162,8 +163,8 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   QVERIFY2(most < 15.5 && least > -15.5, qPrintable(QString("%1 %2").arg(most).arg(least)));
 }
 
-/// A rotor far too fast: full braking within the current's band, by reversing where the speed controller can, and
-/// nothing below the back-EMF where it does not brake.
+/// A rotor far too fast: full braking within the current's band, by reversing where the speed
+/// controller can, and nothing below the back-EMF where it does not brake.
 void TestPid::slowingIsAsTheSpeedControllerCan_data() {
   QTest::addColumn<bool>("braking");
   QTest::addColumn<bool>("reverse");

@@ -137,7 +137,8 @@ void TestPidFlight::yawTakesTheShortWay() {
   QVERIFY(flight.settledAt(s));
 }
 
-/// A climb the motors cannot deliver at once, with every angle stepping together, ends at rest all the same.
+/// A climb the motors cannot deliver at once, with every angle stepping together, ends at rest all
+/// the same.
 void TestPidFlight::recoversFromAnImpossibleDemand() {
   VehicleParameters v;
   v.payloads = {{1.2, {0, 0, 0}}};

@@ -1,4 +1,5 @@
-// A made-up described document with every kind of member, for tests of the schema tree and of files.
+// A made-up described document with every kind of member, for tests of the schema tree and of
+// files.
 #pragma once
 
 #include <string>

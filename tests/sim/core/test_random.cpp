@@ -45,7 +45,8 @@ void TestRandom::streamsDiffer() {
 }
 
 /// A recording must be reproducible with later versions: these came from an independent Python
-/// transcription of splitmix64 (Steele, Lea, Flood 2014) and FNV-1a, key = mix(mix(seed + golden) ^ hash).
+/// transcription of splitmix64 (Steele, Lea, Flood 2014) and FNV-1a, key = mix(mix(seed + golden) ^
+/// hash).
 void TestRandom::bitsNeverChange() {
   RandomStream stream(1, "wind");
   QCOMPARE(stream.bits(), std::uint64_t{0xF36D8256854095B2U});

@@ -137,7 +137,8 @@ void TestRecording::thinsForEver() {
   QVERIFY(recording.bytes() <= kBound);
   QVERIFY(recording.rows() < 3 * Recording::kChunkRows);
   QVERIFY(recording.stride() > 1);
-  // The end of the run is still covered: the last kept row is not further from the end than the stride.
+  // The end of the run is still covered: the last kept row is not further from the end than the
+  // stride.
   QVERIFY(recording.value(0, recording.rows() - 1) + static_cast<double>(recording.stride()) >=
           kOffered);
 }

@@ -346,7 +346,8 @@ void TestSchema::compareListsDifferences() {
   QVERIFY(lines.contains("controller.horizon: — | 10"));
   QVERIFY(lines.contains("vehicle.rotors[0].blades[0].radius: 12 cm | —"));
   QVERIFY(lines.contains("vehicle.rotors[1].name: second | —"));
-  // 2 leaves, type, 2 + 2 of the controllers, 2 rows of 2, the second rotor with 3 leaves and 2 rows of 2.
+  // 2 leaves, type, 2 + 2 of the controllers, 2 rows of 2, the second rotor with 3 leaves and 2
+  // rows of 2.
   QCOMPARE(lines.size(), 2 + 1 + 4 + 4 + 7);
 }
 

@@ -1,4 +1,5 @@
-// Sentences with figures: read with points, or as another writer has it; and how short numbers are written.
+// Sentences with figures: read with points, or as another writer has it; and how short numbers are
+// written.
 #include <QtTest>
 #include <cmath>
 #include <limits>

@@ -29,7 +29,8 @@ class TestUnits : public QObject {
   void utf8();
 };
 
-// Exact definitions: yard and pound agreement of 1959; g0 = 9.80665 m/s^2 (CGPM 1901); the rest by prefix.
+// Exact definitions: yard and pound agreement of 1959; g0 = 9.80665 m/s^2 (CGPM 1901); the rest by
+// prefix.
 void TestUnits::convert_data() {
   QTest::addColumn<double>("value");
   QTest::addColumn<QString>("from");

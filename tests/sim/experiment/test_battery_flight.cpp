@@ -1,5 +1,5 @@
-// Flights with real propellers on a battery, as experiments: every rotor model flies, the battery empties, the step is
-// warned of, and old files without a type of supply still load.
+// Flights with real propellers on a battery, as experiments: every rotor model flies, the battery
+// empties, the step is warned of, and old files without a type of supply still load.
 #include <QTest>
 #include <cmath>
 
@@ -60,7 +60,8 @@ class TestBatteryFlight : public QObject {
     QVERIFY(r.value(*r.find("supply.voltage"), last) < r.value(*r.find("supply.voltage"), 0));
   }
 
-  /// Energy and charge of the metrics are those of the state; the time left is what a longer flight finds.
+  /// Energy and charge of the metrics are those of the state; the time left is what a longer flight
+  /// finds.
   void figuresOfTheBattery() {
     Experiment e = shipped("battery-flight");
     Flight& flight = flightOf(e);

@@ -1,5 +1,5 @@
-// Every rotor model on the propeller bench: each gives what it is made of, keeps to what was measured, and stands beside
-// a second one in the same run.
+// Every rotor model on the propeller bench: each gives what it is made of, keeps to what was
+// measured, and stands beside a second one in the same run.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -62,7 +62,8 @@ std::vector<CoefficientPoint> byAdvance(std::vector<CoefficientPoint> points) {
 class TestBenchModels : public QObject {
   Q_OBJECT
  private slots:
-  /// The map stands for blade elements to 0.2 % of the static thrust and 1 % of the static torque, in every run.
+  /// The map stands for blade elements to 0.2 % of the static thrust and 1 % of the static torque,
+  /// in every run.
   void mapIsBladeElements() {
     PropellerBench bench;
     bench.curves = {.airSpeed = 2,
@@ -93,7 +94,8 @@ class TestBenchModels : public QObject {
     const auto [time, timeMap] = both("Run");
     QVERIFY(difference(time, timeMap, "thrust", largest(time, "thrust")) < 2e-3);
     QVERIFY(difference(time, timeMap, "torque", largest(time, "torque")) < 1e-2);
-    // In-plane forces and moments come by the same signs; the coarse table holds them to a few per cent.
+    // In-plane forces and moments come by the same signs; the coarse table holds them to a few per
+    // cent.
     const auto [edge, edgeMap] = both("Edgewise");
     for (const char* channel : {"edgewise.thrust", "edgewise.drag", "edgewise.roll"})
       QVERIFY2(difference(edge, edgeMap, channel, largest(edge, channel)) < 0.05, channel);
@@ -104,7 +106,8 @@ class TestBenchModels : public QObject {
     QTest::addRow("4014 rpm") << 420.3;
     QTest::addRow("6512 rpm") << 681.9;
   }
-  /// Between two neighbouring points asked for, both ends are the points: UIUC volume 1, apcsf_10x4.7.
+  /// Between two neighbouring points asked for, both ends are the points: UIUC volume 1,
+  /// apcsf_10x4.7.
   void measuredGivesItsPointsBack() {
     QFETCH(double, speed);
     MeasuredPropeller propeller;
@@ -130,7 +133,8 @@ class TestBenchModels : public QObject {
     }
   }
 
-  /// The curves end where the measurement does, whatever was asked for; Problems and figures say where.
+  /// The curves end where the measurement does, whatever was asked for; Problems and figures say
+  /// where.
   void measuredKeepsToItsLimits() {
     PropellerBench bench;
     bench.propeller = MeasuredPropeller{};  // 420.3 and 681.9 rad/s, at the faster J = 0 to 0.755
@@ -164,7 +168,8 @@ class TestBenchModels : public QObject {
     QCOMPARE(figure(*simulation, "beyond_measured_share"), beyond / double(time.rows()));
   }
 
-  /// In a stream the advance ratio falls with the speed: where it was not measured the curve over the speed has a gap.
+  /// In a stream the advance ratio falls with the speed: where it was not measured the curve over
+  /// the speed has a gap.
   void measuredLeavesGaps() {
     PropellerBench bench;
     bench.propeller = MeasuredPropeller{};
@@ -244,7 +249,8 @@ class TestBenchModels : public QObject {
     QVERIFY(figure(*simulation, "figure_of_merit") < 1);
   }
 
-  /// T = CT rho n^2 D^4 and Q = CP rho n^2 D^5/(2 pi), at every J; k_eta w^2 and k_m w^2 less k_z w v.
+  /// T = CT rho n^2 D^4 and Q = CP rho n^2 D^5/(2 pi), at every J; k_eta w^2 and k_m w^2 less k_z w
+  /// v.
   void lumpedAreTheirCoefficients() {
     PropellerBench bench;
     const PropellerCoefficients c;

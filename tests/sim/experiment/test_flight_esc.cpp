@@ -1,5 +1,5 @@
-// Speed controllers in whole flights: dead time to the instant, runs cut in two, the same hover with a lag, warnings, and
-// files from before.
+// Speed controllers in whole flights: dead time to the instant, runs cut in two, the same hover
+// with a lag, warnings, and files from before.
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
@@ -23,7 +23,8 @@ RotorParameters& rotorOf(Experiment& e) {
   return std::get<EqualRotors>(flightOf(e).vehicle.rotors).rotor;
 }
 
-/// From rest in weightlessness, the motors on voltages: nothing moves before the first of them at 0.1 s.
+/// From rest in weightlessness, the motors on voltages: nothing moves before the first of them at
+/// 0.1 s.
 Experiment voltageFlight(const EscParameters& esc) {
   Experiment e;
   Flight flight;

@@ -45,7 +45,8 @@ struct Shorten {
       for (RotorParameters& rotor : own->rotors) coarsen(rotor.aerodynamics);
     }
   }
-  /// Blade elements and maps as coarse as they may be, of a flight's rotor or a propeller on the bench.
+  /// Blade elements and maps as coarse as they may be, of a flight's rotor or a propeller on the
+  /// bench.
   template <class Variant>
   static void coarsen(Variant& propeller) {
     std::visit(
@@ -115,7 +116,8 @@ void checkRoundTrip(const Experiment& experiment, const std::string& text) {
   QCOMPARE(writeExperiment(again), written);
 }
 
-/// Builds and runs a short version; what it cannot build it says. Returns the largest number of rows of a run.
+/// Builds and runs a short version; what it cannot build it says. Returns the largest number of
+/// rows of a run.
 std::size_t simulate(Experiment experiment) {
   std::visit(Shorten{}, experiment.setup);
   experiment.outputs.memoryLimit = 1e6;
@@ -159,8 +161,8 @@ void TestFuzzExperiment::shippedFilesAreSeeds() {
   for (const auto& text : seeds) checkRoundTrip(readExperiment(text, "seed.json"), text);
 }
 
-/// Every damaged file is refused with sentences, or it is a valid experiment: it is written and read back equal, and
-/// it runs or says why it cannot.
+/// Every damaged file is refused with sentences, or it is a valid experiment: it is written and
+/// read back equal, and it runs or says why it cannot.
 void TestFuzzExperiment::mutatedExperiments() {
   Mutator mutator(450);
   const auto seeds = seedTexts();

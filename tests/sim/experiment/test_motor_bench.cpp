@@ -1,4 +1,5 @@
-// The motor's own experiments: curves against closed forms, steady points against the run, limits, warnings.
+// The motor's own experiments: curves against closed forms, steady points against the run, limits,
+// warnings.
 #include <QtTest>
 #include <cmath>
 
@@ -26,8 +27,8 @@ Experiment bench(double throttle) {
 class TestMotorBench : public QObject {
   Q_OBJECT
  private slots:
-  /// Drela, "First-order DC electric motor model": with constant friction the best efficiency is (1 - sqrt(I0 R/V))^2
-  /// at the current sqrt(V I0/R).
+  /// Drela, "First-order DC electric motor model": with constant friction the best efficiency is (1
+  /// - sqrt(I0 R/V))^2 at the current sqrt(V I0/R).
   void efficiencyPeakMeetsClosedForm() {
     const auto simulation = finished(bench(1));
     const Recording& r = run(*simulation, "Over speed");
@@ -87,7 +88,8 @@ class TestMotorBench : public QObject {
     QVERIFY(r.value(*r.find("supply.voltage"), r.rows() - 2) >= 9 - 0.2);
   }
 
-  /// The warning comes where the method really is unstable: just below the stated step it runs, well above it does not.
+  /// The warning comes where the method really is unstable: just below the stated step it runs,
+  /// well above it does not.
   void unstableStepIsWarnedOf_data() {
     QTest::addColumn<int>("method");
     for (const auto m : {ode::Method::Euler, ode::Method::Rk4, ode::Method::Abm4})
@@ -136,12 +138,14 @@ class TestMotorBench : public QObject {
     QVERIFY(warningsOf(experiment).empty());
   }
 
-  /// Experiment 5: within the limit, no windup, at rest on the set-point; and faster without saturation.
+  /// Experiment 5: within the limit, no windup, at rest on the set-point; and faster without
+  /// saturation.
   void speedControl() {
     const Experiment shipped =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
     const auto limited = finished(shipped);
-    // Between two updates of the controller (1 ms) the current follows the speed that changed meanwhile.
+    // Between two updates of the controller (1 ms) the current follows the speed that changed
+    // meanwhile.
     QVERIFY(figure(*limited, "peak_current") <= 1.01 * figure(*limited, "current_limit"));
     QVERIFY(figure(*limited, "peak_current") > 0.95 * figure(*limited, "current_limit"));
     QVERIFY2(figure(*limited, "overshoot") < 0.05,
@@ -150,8 +154,8 @@ class TestMotorBench : public QObject {
     QVERIFY(figure(*limited, "rest_error") < 2);
   }
 
-  /// The second run knows no limits: duty above 1, any current; the first is the run that stands alone otherwise, bit by
-  /// bit.
+  /// The second run knows no limits: duty above 1, any current; the first is the run that stands
+  /// alone otherwise, bit by bit.
   void withoutSaturation() {
     Experiment experiment =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-saturation.json");
@@ -166,7 +170,8 @@ class TestMotorBench : public QObject {
       QVERIFY(figure(*both, "overshoot", part) < 0.06);
     const Recording& free = run(*both, "Without saturation");
     QVERIFY(largestValue(free, "esc.duty") > 1.5);
-    // The control signal is what stands at the terminals and in the resistance of the speed controller.
+    // The control signal is what stands at the terminals and in the resistance of the speed
+    // controller.
     for (std::size_t row = 100; row < free.rows(); row += 50) {
       const double terminals =
           value(free, "motor.voltage", row) + 0.005 * value(free, "motor.current", row);
@@ -182,8 +187,8 @@ class TestMotorBench : public QObject {
         QCOMPARE(a.value(c, row), b.value(c, row));
   }
 
-  /// Long against the limit, a PI controller without back-calculation winds up and overshoots by what it gathered;
-  /// with it the integral stays small and the step ends as calmly as a short one.
+  /// Long against the limit, a PI controller without back-calculation winds up and overshoots by
+  /// what it gathered; with it the integral stays small and the step ends as calmly as a short one.
   void noWindup() {
     Experiment experiment =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
@@ -207,8 +212,8 @@ class TestMotorBench : public QObject {
                qPrintable(QString::number(figure(*simulation, "peak_current"))));
   }
 
-  /// The current may pass its limit only by what the back-EMF falls short between two updates of the controller: with
-  /// updates ten times as often it passes it by less.
+  /// The current may pass its limit only by what the back-EMF falls short between two updates of
+  /// the controller: with updates ten times as often it passes it by less.
   void limitIsKeptToTheSampling() {
     Experiment experiment =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
@@ -255,7 +260,8 @@ class TestMotorBench : public QObject {
                       : (1 - part) * a.value(speed, before) + part * a.value(speed, before + 1);
       most = std::max(most, std::abs(b.value(speed, row) - expected));
     }
-    // Straight lines between rows 1 ms apart leave h^2/8 of the second derivative, about 0.3 rad/s at the steps.
+    // Straight lines between rows 1 ms apart leave h^2/8 of the second derivative, about 0.3 rad/s
+    // at the steps.
     QVERIFY2(most < (deadTime == 0.02 ? 1e-6 : 0.5), qPrintable(QString::number(most)));
     const std::size_t duty = *b.find("esc.duty"), throttle = *b.find("throttle");
     const std::size_t step = b.lowerBound(0.1 - 1e-9);

@@ -1,4 +1,5 @@
-// The propeller bench: its run and its curves against the propeller asked directly, sums, limits, odd states.
+// The propeller bench: its run and its curves against the propeller asked directly, sums, limits,
+// odd states.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -65,7 +66,8 @@ class TestPropellerBench : public QObject {
     QCOMPARE(value(r, "speed", 11), 400.0);
   }
 
-  /// Dimensions: T = CT rho n^2 D^4, P = CP rho n^3 D^5, efficiency J CT/CP; and what the propeller says itself.
+  /// Dimensions: T = CT rho n^2 D^4, P = CP rho n^3 D^5, efficiency J CT/CP; and what the propeller
+  /// says itself.
   void curvesAreThePropellers() {
     PropellerBench bench;
     bench.curves.leastAdvanceRatio = -0.5;
@@ -120,7 +122,8 @@ class TestPropellerBench : public QObject {
     QVERIFY(near(thrust, rotorOf(bench).axial(bench.curves.speed, 3, {}).thrust, 1e-9));
   }
 
-  /// Without an edgewise stream it is the axial state; with it the thrust grows, drag acts against the motion.
+  /// Without an edgewise stream it is the axial state; with it the thrust grows, drag acts against
+  /// the motion.
   void edgewiseBeginsAxial() {
     PropellerBench bench;
     const auto simulation = finished(experimentOf(bench));
@@ -138,7 +141,8 @@ class TestPropellerBench : public QObject {
     QVERIFY(value(r, "edgewise.roll", last) < 0);
   }
 
-  /// Glauert: no hover takes less than the ideal power; the peak and the end of the thrust are where the curve has them.
+  /// Glauert: no hover takes less than the ideal power; the peak and the end of the thrust are
+  /// where the curve has them.
   void figures() {
     PropellerBench bench;
     bench.curves.leastAdvanceRatio = -0.6;

@@ -33,8 +33,9 @@ class TestSceneModel : public QObject {
   void impossibleVehicles();
 };
 
-/// JSBSim's F450: hubs 0.1651 m along both axes, 0.025 m above the centre of mass; rotors from the front left,
-/// counter-clockwise seen from above, neighbours turning oppositely; 9450 propellers have a diameter of 9.45 in.
+/// JSBSim's F450: hubs 0.1651 m along both axes, 0.025 m above the centre of mass; rotors from the
+/// front left, counter-clockwise seen from above, neighbours turning oppositely; 9450 propellers
+/// have a diameter of 9.45 in.
 void TestSceneModel::flagship() {
   const auto model = sceneModel(shipped("f450-hover-and-steps.json"));
   QVERIFY(model.has_value());
@@ -102,8 +103,8 @@ void TestSceneModel::birotors() {
   QCOMPARE(model->fullThrust, fullThrust);
 }
 
-/// The place of a hub is drawn from the centre of mass, which the deviations shift too: against each other only the
-/// first hub has moved.
+/// The place of a hub is drawn from the centre of mass, which the deviations shift too: against
+/// each other only the first hub has moved.
 void TestSceneModel::deviationMovesOneHub() {
   const Experiment experiment = shipped("unbalanced-f450.json");
   Experiment balanced = experiment;
@@ -118,7 +119,8 @@ void TestSceneModel::deviationMovesOneHub() {
   compare(moved(0), {0.0212, 0.0212, 0});
   compare(moved(2), Vector3d::Zero());
   compare(moved(3), Vector3d::Zero());
-  // 50 g more at rotor 3, rear right, draw the centre of mass there: all hubs come to lie ahead and to the left.
+  // 50 g more at rotor 3, rear right, draw the centre of mass there: all hubs come to lie ahead and
+  // to the left.
   const Vector3d shift = actual->rotors[1].position - planned->rotors[1].position;
   QVERIFY(shift.x() > 0 && shift.y() > 0);
 }

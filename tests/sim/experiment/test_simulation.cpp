@@ -200,8 +200,8 @@ void TestSimulation::hopelessToleranceEnds_data() {
   QTest::addRow("free") << DrivingMode::Free;
 }
 
-/// The smallest tolerance allowed is below what doubles resolve here: the run ends, with a small error or without a
-/// figure, and is no endless one. Less is refused.
+/// The smallest tolerance allowed is below what doubles resolve here: the run ends, with a small
+/// error or without a figure, and is no endless one. Less is refused.
 void TestSimulation::hopelessToleranceEnds() {
   QFETCH(DrivingMode, mode);
   Experiment experiment;
@@ -224,7 +224,8 @@ void TestSimulation::hopelessToleranceEnds() {
   QVERIFY2(std::isinf(error) || error < 1e-9, qPrintable(QString::number(error)));
 }
 
-/// Stiff enough to tell the methods apart, and both kinds of embedded control keep to their tolerance.
+/// Stiff enough to tell the methods apart, and both kinds of embedded control keep to their
+/// tolerance.
 void TestSimulation::springBarComparison() {
   Experiment experiment;
   SolverComparison comparison = everyMethod();

@@ -1,4 +1,5 @@
-// The thrust stand: steady points solved directly and reached in time, its procedures, what it refuses.
+// The thrust stand: steady points solved directly and reached in time, its procedures, what it
+// refuses.
 #include <QtTest>
 #include <cmath>
 
@@ -47,7 +48,8 @@ class TestThrustStandKind : public QObject {
     QTest::addRow("quasi-static current") << false << true << 0.0;
     QTest::addRow("dead time") << false << false << 0.0123;
   }
-  /// Two seconds are dozens of the drive's time constants; what is left is the solver and the sag of the battery.
+  /// Two seconds are dozens of the drive's time constants; what is left is the solver and the sag
+  /// of the battery.
   void solvedAndReachedAgree() {
     QFETCH(bool, blades);
     QFETCH(bool, quasiStatic);
@@ -85,8 +87,8 @@ class TestThrustStandKind : public QObject {
     QVERIFY(figure(*simulation, "steady_difference") > 0.05);
   }
 
-  /// Full throttle in the metrics, at the end of the curve and reached on the stand is one point; powers and ratios are
-  /// those of what stands beside them.
+  /// Full throttle in the metrics, at the end of the curve and reached on the stand is one point;
+  /// powers and ratios are those of what stands beside them.
   void fullThrottleIsOnePoint() {
     ThrustStand stand = lastingStand();
     stand.stand.supply = SupplyParameters{.voltage = 11.1, .internalResistance = 0.01};
@@ -112,7 +114,8 @@ class TestThrustStandKind : public QObject {
     }
   }
 
-  /// A sweep lags behind the steady points by its speed times the drive's time constant: ten times slower, ten times less.
+  /// A sweep lags behind the steady points by its speed times the drive's time constant: ten times
+  /// slower, ten times less.
   void slowSweepLagsLess() {
     ThrustStand stand = lastingStand();
     stand.stand.supply = SupplyParameters{.voltage = 11.1, .internalResistance = 0.01};
@@ -173,8 +176,8 @@ class TestThrustStandKind : public QObject {
     }
   }
 
-  /// The warning of a step that is too long is made with few points of a propeller; it is the same as with the many of
-  /// the run to a part in a hundred.
+  /// The warning of a step that is too long is made with few points of a propeller; it is the same
+  /// as with the many of the run to a part in a hundred.
   void warningWithFewPoints() {
     ThrustStand stand = lastingStand();
     stand.stand.load = BladeElementLoad{};

@@ -59,8 +59,8 @@ MeasuredTable stand(double noise, unsigned seed, double supply = 15) {
   return table;
 }
 
-/// As above with a speed controller that lets no more than `limit` through the motor: there K i_max = friction + k_m w^2, and
-/// the supply gives the power of the motor.
+/// As above with a speed controller that lets no more than `limit` through the motor: there K i_max
+/// = friction + k_m w^2, and the supply gives the power of the motor.
 MeasuredTable limitedStand(double noise, unsigned seed, double limit, double supply = 15) {
   std::mt19937 random(seed);
   std::normal_distribution<double> scatter(0, 1);
@@ -132,8 +132,8 @@ void TestFits::motorWithoutNoise() {
   QVERIFY(result.outputs[0].rmseAfter < 1e-2 * result.outputs[0].rmseBefore);
 }
 
-/// Speed +-2 rad/s, current +-30 mA: the 95 % intervals of four constants in 150 stands. Three standard deviations of the
-/// share are 5.3 points.
+/// Speed +-2 rad/s, current +-30 mA: the 95 % intervals of four constants in 150 stands. Three
+/// standard deviations of the share are 5.3 points.
 void TestFits::motorIntervalsCoverTheTruth() {
   constexpr int kStands = 150;
   const char* keys[] = {"speedConstant", "resistance", "noLoadCurrent", "torqueCoefficient"};
@@ -164,8 +164,9 @@ void TestFits::limitedRowsAreLeftOut_data() {
   QTest::addRow("from the motor current") << true << 1;
 }
 
-/// 12 A are reached at 61 % throttle. With the rows beyond it the constants are far outside their 95 % intervals; without
-/// them the intervals cover the truth as often as they should: three standard deviations of the share are 6.5 points.
+/// 12 A are reached at 61 % throttle. With the rows beyond it the constants are far outside their
+/// 95 % intervals; without them the intervals cover the truth as often as they should: three
+/// standard deviations of the share are 6.5 points.
 void TestFits::limitedRowsAreLeftOut() {
   QFETCH(bool, measured);
   QFETCH(int, every);
@@ -209,7 +210,8 @@ void TestFits::limitedRowsAreLeftOut() {
   QVERIFY(coveredWithAll[0] < kStands / 10 && coveredWithAll[1] < kStands / 10);
 }
 
-/// Without the duty only the power of the motor is known: K is needed from elsewhere, the fit says so.
+/// Without the duty only the power of the motor is known: K is needed from elsewhere, the fit says
+/// so.
 void TestFits::motorByPower() {
   MotorFitSetup setup = setupFor(ShaftTorque::Measured);
   setup.duty = DutyFrom::Unknown;
@@ -293,7 +295,8 @@ void TestFits::propeller_data() {
   QTest::addRow("in flight") << true;
 }
 
-/// Coefficients of the model itself with 1.5 degrees more twist and 1.3 times the profile drag are found again.
+/// Coefficients of the model itself with 1.5 degrees more twist and 1.3 times the profile drag are
+/// found again.
 void TestFits::propeller() {
   QFETCH(bool, flown);
   PropellerFitSetup setup;

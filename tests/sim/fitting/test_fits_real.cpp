@@ -1,4 +1,5 @@
-// Fits to real logs: what they predict of rows they have not seen, and a twist offset found in another way.
+// Fits to real logs: what they predict of rows they have not seen, and a twist offset found in
+// another way.
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -37,11 +38,11 @@ class TestFitsReal : public QObject {
   void sunnySky();
 };
 
-/// T-Motor F40 Pro III on an AutoQuad ESC32, 5 % duty steps: constants fitted to every second step predict the speed of the
-/// others within 3 % and the current within 6 % (of full scale).
+/// T-Motor F40 Pro III on an AutoQuad ESC32, 5 % duty steps: constants fitted to every second step
+/// predict the speed of the others within 3 % and the current within 6 % (of full scale).
 void TestFitsReal::everySecondStepPredictsTheOthers() {
-  // Two motors in the file; rows come sorted by throttle, one of each motor in turn. The last row of the F60 is below
-  // its current limit.
+  // Two motors in the file; rows come sorted by throttle, one of each motor in turn. The last row
+  // of the F60 is below its current limit.
   const MeasuredTable both = read("autoquad_steady_steps.csv");
   const MeasuredTable f40 = rowsOf(both, 1, both.rows(), 2);
   QCOMPARE(f40.rows(), std::size_t{19});
@@ -74,8 +75,9 @@ void TestFitsReal::everySecondStepPredictsTheOthers() {
   QVERIFY(most[1] < 0.06);
 }
 
-/// SunnySky X2216 1100 KV with a 10x4.7: the speed controller has a curve of its own, so that the duty is known at full
-/// throttle only. The authors give 1100 rpm/V, 148 mOhm for the whole circuit, 0.8 A without load.
+/// SunnySky X2216 1100 KV with a 10x4.7: the speed controller has a curve of its own, so that the
+/// duty is known at full throttle only. The authors give 1100 rpm/V, 148 mOhm for the whole
+/// circuit, 0.8 A without load.
 void TestFitsReal::sunnySky() {
   MotorFitSetup setup;
   setup.start.speedConstant = 1000 * kRpm;

@@ -61,7 +61,8 @@ void TestLeastSquares::quantiles() {
   QVERIFY(std::abs(studentQuantile(p, degrees) / t - 1) < 3e-4);
 }
 
-/// Ordinary regression of 5 points; slope, intercept and their standard errors by the textbook formulas.
+/// Ordinary regression of 5 points; slope, intercept and their standard errors by the textbook
+/// formulas.
 void TestLeastSquares::lineByHand() {
   const std::vector<double> x{0, 1, 2, 3, 4}, y{1, 3.2, 4.9, 7.1, 8.8};
   const FitResult result = solveLeastSquares(line(x, y));
@@ -80,8 +81,8 @@ void TestLeastSquares::lineByHand() {
   QVERIFY(std::abs(result.outputs[0].rmseAfter - std::sqrt(squares / 5)) < 1e-9);
 }
 
-/// 95 % intervals of a decay with known noise cover the truth in 95 % of 400 experiments; three standard deviations of
-/// that count are 3.3 points.
+/// 95 % intervals of a decay with known noise cover the truth in 95 % of 400 experiments; three
+/// standard deviations of that count are 3.3 points.
 void TestLeastSquares::intervalsCoverTheTruth() {
   constexpr int kExperiments = 400, kPoints = 25;
   constexpr double kA = 3, kRate = 0.7, kNoise = 0.05;

@@ -1,4 +1,5 @@
-// Installs the build into an empty folder, as a package does, and looks at it as a desktop and a user do.
+// Installs the build into an empty folder, as a package does, and looks at it as a desktop and a
+// user do.
 #include <QDir>
 #include <QMimeDatabase>
 #include <QProcess>

@@ -1,5 +1,5 @@
-// Damages valid text files in the ways disks, networks, editors and hasty people do; the same seed damages the same
-// way everywhere.
+// Damages valid text files in the ways disks, networks, editors and hasty people do; the same seed
+// damages the same way everywhere.
 #pragma once
 
 #include <algorithm>

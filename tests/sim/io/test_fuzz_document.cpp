@@ -52,8 +52,8 @@ class TestFuzzDocument : public QObject {
   void mutatedTables();
 };
 
-/// Every damaged file is either refused with sentences, leaving the target alone, or says what the document then
-/// holds: valid, written and read back the same, and no value of the file left out.
+/// Every damaged file is either refused with sentences, leaving the target alone, or says what the
+/// document then holds: valid, written and read back the same, and no value of the file left out.
 void TestFuzzDocument::mutatedDocuments() {
   Mutator mutator(2014);
   const auto seeds = seedTexts();

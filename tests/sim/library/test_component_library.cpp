@@ -1,4 +1,5 @@
-// Component files and the folders of the library: what is written reads back, what is wrong is said, nothing is lost.
+// Component files and the folders of the library: what is written reads back, what is wrong is
+// said, nothing is lost.
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>

@@ -1,4 +1,5 @@
-// Every shipped component: readable, with its source, and physically possible; where it is not, it says so itself.
+// Every shipped component: readable, with its source, and physically possible; where it is not, it
+// says so itself.
 #include <QTest>
 #include <cmath>
 #include <numbers>

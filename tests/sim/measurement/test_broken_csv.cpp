@@ -1,4 +1,5 @@
-// Logs that are broken: each class of fault has a sentence with its first line, the rest is kept, nothing crashes.
+// Logs that are broken: each class of fault has a sentence with its first line, the rest is kept,
+// nothing crashes.
 #include <QTemporaryDir>
 #include <QTest>
 #include <fstream>
@@ -141,7 +142,8 @@ void TestBrokenCsv::aVeryLongLine() {
            std::string("1 line is longer than 1 MiB (first in line 3); left out"));
 }
 
-/// One line of a gigabyte, as a file with holes: refused by its size, without being read into memory.
+/// One line of a gigabyte, as a file with holes: refused by its size, without being read into
+/// memory.
 void TestBrokenCsv::aFileOfAGigabyte() {
   const QTemporaryDir folder;
   const std::string path = folder.filePath("huge.csv").toStdString();
@@ -160,7 +162,8 @@ void TestBrokenCsv::missingFile() {
   QVERIFY_THROWS_EXCEPTION(InputError, TextLines::fromFile(QDir::tempPath().toStdString()));
 }
 
-/// Bytes of all kinds, mostly those tables are made of, in all layouts: no crash, and rows of equal length.
+/// Bytes of all kinds, mostly those tables are made of, in all layouts: no crash, and rows of equal
+/// length.
 void TestBrokenCsv::randomBytes() {
   std::mt19937 random(20261122);
   const std::string alphabet = "0123456789,;\t|. -+eE\"#\n\r\xC2\xB5\xFFtime[s]()";

@@ -1,4 +1,5 @@
-// Tables compressed by gzip: read like any other, and refused in one sentence where they are damaged or far too much.
+// Tables compressed by gzip: read like any other, and refused in one sentence where they are
+// damaged or far too much.
 #include <zlib.h>
 
 #include <QFile>
@@ -116,7 +117,8 @@ void TestCompressedTables::refused() {
   }
 }
 
-/// Whatever is cut off or changed: the same text, a sentence, or a text of its own; never a crash or a hang.
+/// Whatever is cut off or changed: the same text, a sentence, or a text of its own; never a crash
+/// or a hang.
 void TestCompressedTables::everyCutAndEveryDamagedByte() {
   const QByteArray whole = gzip(kLog);
   int refusals = 0;

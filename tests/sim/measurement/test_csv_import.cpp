@@ -1,4 +1,5 @@
-// What the import makes of logs as real programs write them: layout and mapping guessed, values in SI.
+// What the import makes of logs as real programs write them: layout and mapping guessed, values in
+// SI.
 #include <QTest>
 #include <cmath>
 #include <numbers>
@@ -165,7 +166,8 @@ void TestCsvImport::guessesLayouts() {
 void TestCsvImport::valuesAreSi() {
   const TextLines lines = file("strawson_a1_11.csv");
   const MeasuredTable table = importTable(lines, guessSettings(lines)).table;
-  // Second row of the file: 2.226 s, 1145 us, 37.1294592 gf, 11.0765386 V, 0.9908063 A, 5721 rpm, 10.8567739 W.
+  // Second row of the file: 2.226 s, 1145 us, 37.1294592 gf, 11.0765386 V, 0.9908063 A, 5721 rpm,
+  // 10.8567739 W.
   QCOMPARE(valueAt(table, "time", 1), 2.2259551369999935);
   QVERIFY(std::abs(valueAt(table, "throttle", 1) - 0.145) < 1e-12);
   QVERIFY(std::abs(valueAt(table, "thrust", 1) - 0.03712945921918086 * kGravity) < 1e-12);

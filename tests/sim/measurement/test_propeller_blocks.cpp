@@ -1,5 +1,6 @@
-// Performance tables in blocks as APC publishes them, on made-up files of that layout (SOURCE.txt has the formula): one
-// table with speeds, units of the unit line, a propeller that flies by it, and sentences for what is broken.
+// Performance tables in blocks as APC publishes them, on made-up files of that layout (SOURCE.txt
+// has the formula): one table with speeds, units of the unit line, a propeller that flies by it,
+// and sentences for what is broken.
 #include <QFile>
 #include <QTest>
 #include <cmath>
@@ -92,8 +93,8 @@ void TestPropellerBlocks::readsTheFile() {
   QCOMPARE(result.table.rows(), static_cast<std::size_t>(rows));
 }
 
-/// Against the formula, to the digits that are written: coefficients 4 places, J 2 places (of which CT moves by at most 0.18
-/// times as much), thrust 3 places of a pound.
+/// Against the formula, to the digits that are written: coefficients 4 places, J 2 places (of which
+/// CT moves by at most 0.18 times as much), thrust 3 places of a pound.
 void TestPropellerBlocks::valuesAreSi() {
   const MeasuredTable table = imported(fileText("PER3_8x6S.dat")).table;
   QCOMPARE(table.channels[0].name, std::string("over_advance.j"));
@@ -131,7 +132,8 @@ void TestPropellerBlocks::becomesAPropeller() {
   const MeasuredPropeller propeller = propellerOfTable(table, kDiameter);
   QCOMPARE(propeller.points.size(), std::size_t{24});
   const CoefficientTable ready(propeller);
-  // Between two points of one speed, and at the mean of the two speeds: the formula is linear in the speed.
+  // Between two points of one speed, and at the mean of the two speeds: the formula is linear in
+  // the speed.
   for (const double rpm : {3000.0, 4500.0, 6000.0}) {
     const double turns = rpm / 60, j = 0.3;
     const auto load = ready.axialLoad(rpm * kRpm, j * turns * kDiameter, 1.225);
@@ -218,7 +220,8 @@ void TestPropellerBlocks::broken() {
   QCOMPARE(said, QStringList{sentence});
 }
 
-/// Pieces of such files in any order: one sentence or a table with columns of equal length, never a crash.
+/// Pieces of such files in any order: one sentence or a table with columns of equal length, never a
+/// crash.
 void TestPropellerBlocks::randomTables() {
   const QByteArrayList pieces{"PROP RPM = 5000\n",
                               "PROP RPM =",

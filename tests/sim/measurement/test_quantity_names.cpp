@@ -1,4 +1,5 @@
-// Imported columns lie on the curves they belong to only if their names are those of the computed runs.
+// Imported columns lie on the curves they belong to only if their names are those of the computed
+// runs.
 #include <QtTest>
 
 #include "sim/experiment/experiment.h"

@@ -15,8 +15,8 @@ class TestResiduals : public QObject {
   void saysWhatIsLeftOut();
 };
 
-/// Computed y = 2 x; residuals 1, -1, 2 by hand: RMSE = sqrt(6/3), mean 2/3; measured 1, 1, 6 about 8/3 spread by
-/// 50/3, so R^2 = 1 - 6/(50/3).
+/// Computed y = 2 x; residuals 1, -1, 2 by hand: RMSE = sqrt(6/3), mean 2/3; measured 1, 1, 6 about
+/// 8/3 spread by 50/3, so R^2 = 1 - 6/(50/3).
 void TestResiduals::figuresByHand() {
   const ResidualReport report = compareSeries({{0, 1, 2}, {1, 1, 6}}, {{2, 0}, {4, 0}});
   QCOMPARE(report.figures.count, std::size_t{3});

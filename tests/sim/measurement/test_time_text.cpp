@@ -1,4 +1,5 @@
-// Times written as text in a log: what is understood, what is refused, and what an import makes of a column of them.
+// Times written as text in a log: what is understood, what is refused, and what an import makes of
+// a column of them.
 #include <QTest>
 #include <cmath>
 
@@ -24,8 +25,8 @@ class TestTimeText : public QObject {
   void numbersAreTheBetterTime();
 };
 
-/// Days since 1970-01-01 by hand: 2024-03-01 is 54 years of 365 days, 13 leap days of 1972 to 2020, and 60 days into the leap
-/// year 2024.
+/// Days since 1970-01-01 by hand: 2024-03-01 is 54 years of 365 days, 13 leap days of 1972 to 2020,
+/// and 60 days into the leap year 2024.
 void TestTimeText::reads_data() {
   constexpr int kDay = 54 * 365 + 13 + 60;
   QTest::addColumn<QString>("text");

@@ -1,5 +1,5 @@
-// Measured order of convergence of every method, and what every Runge-Kutta and linear multistep method keeps:
-// linear invariants and, running back with the reversed field, the way it came.
+// Measured order of convergence of every method, and what every Runge-Kutta and linear multistep
+// method keeps: linear invariants and, running back with the reversed field, the way it came.
 #include <QtTest>
 #include <cmath>
 
@@ -13,7 +13,8 @@ namespace {
 using System = FunctionSystem<3>;
 using State = System::State;
 
-/// Euler's equations of a free rigid body with a time-dependent torque: non-linear and not autonomous.
+/// Euler's equations of a free rigid body with a time-dependent torque: non-linear and not
+/// autonomous.
 void rigidBody(double t, const State& w, State& d) {
   d << -0.8 * w[1] * w[2] + 0.3 * std::cos(t), 0.6 * w[2] * w[0], -0.4 * w[0] * w[1] - 0.1 * w[2];
 }
@@ -75,7 +76,8 @@ class ConvergenceTest : public QObject {
   void timeReversal() {
     QFETCH(int, method);
     QFETCH(double, order);
-    // Forth and back leaves the method's own error twice: it must shrink with the method's order at least.
+    // Forth and back leaves the method's own error twice: it must shrink with the method's order at
+    // least.
     const auto m = static_cast<Method>(method);
     const State y0(0.7, 0.0, 1.0);
     double errors[2];

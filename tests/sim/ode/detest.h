@@ -1,7 +1,7 @@
-// Right-hand sides and initial values of the Toronto nonstiff test set DETEST: T. E. Hull, W. H. Enright, B. M. Fellen,
-// A. E. Sedgwick, "Comparing numerical methods for ordinary differential equations", SIAM J. Numer. Anal. 9 (1972)
-// 603-637, and W. H. Enright, J. D. Pryce, ACM TOMS 13 (1987) 1-27. Problems of fewer than four components are
-// padded with components that stay zero.
+// Right-hand sides and initial values of the Toronto nonstiff test set DETEST: T. E. Hull, W. H.
+// Enright, B. M. Fellen, A. E. Sedgwick, "Comparing numerical methods for ordinary differential
+// equations", SIAM J. Numer. Anal. 9 (1972) 603-637, and W. H. Enright, J. D. Pryce, ACM TOMS 13
+// (1987) 1-27. Problems of fewer than four components are padded with components that stay zero.
 #pragma once
 
 #include <cmath>
@@ -117,7 +117,8 @@ void heat(double, const State& y, State& d) {
     d[i] = -2 * y[i] + (i > 0 ? y[i - 1] : 0.0) + (i + 1 < n ? y[i + 1] : 0.0);
   }
 }
-/// C5: motion of the five outer planets about the Sun; positions (x, y, z of each), then velocities.
+/// C5: motion of the five outer planets about the Sun; positions (x, y, z of each), then
+/// velocities.
 inline void problemC5(double, const State30& y, State30& d) {
   constexpr double k2 = 2.95912208286;
   constexpr double sun = 1.00000597682;

@@ -1,4 +1,5 @@
-// Exponential RK4: the phi functions, fourth order, RK4 at small steps, stiff motor pairs where RK4 explodes.
+// Exponential RK4: the phi functions, fourth order, RK4 at small steps, stiff motor pairs where RK4
+// explodes.
 #include <Eigen/Eigenvalues>
 #include <QtTest>
 #include <cmath>
@@ -13,7 +14,8 @@ using namespace rotorbench::test;
 
 namespace {
 
-/// A direct-current motor with a quadratic load, turning a pointer: [angle, speed, current, energy].
+/// A direct-current motor with a quadratic load, turning a pointer: [angle, speed, current,
+/// energy].
 struct Motor {
   using State = Eigen::Matrix<double, 4, 1>;
   static constexpr int kPairs = 1;
@@ -56,7 +58,8 @@ class ExponentialTest : public QObject {
     QTest::addRow("growing") << 2.0 << -1.0;
   }
   void phi() {
-    // In the eigenbasis the phi functions are scalars; there they are summed in closed form or by their series.
+    // In the eigenbasis the phi functions are scalars; there they are summed in closed form or by
+    // their series.
     QFETCH(double, a);
     QFETCH(double, b);
     Eigen::Matrix<long double, 2, 2> basis;

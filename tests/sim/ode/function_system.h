@@ -1,5 +1,5 @@
-// A system whose right-hand side is a plain function, so that many test problems of one size share one
-// instantiation of the solver; and settings in one line.
+// A system whose right-hand side is a plain function, so that many test problems of one size share
+// one instantiation of the solver; and settings in one line.
 #pragma once
 
 #include "sim/ode/solver.h"

@@ -1,5 +1,5 @@
-// The same right-hand side through Boost.Odeint: RK4 and RK5(4)7M at equal steps agree to rounding, and a controlled run
-// ends at the same place.
+// The same right-hand side through Boost.Odeint: RK4 and RK5(4)7M at equal steps agree to rounding,
+// and a controlled run ends at the same place.
 #include <QtTest>
 #include <boost/numeric/odeint.hpp>
 #include <cmath>

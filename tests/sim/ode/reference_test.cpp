@@ -1,5 +1,5 @@
-// End values published for well-known problems: Toronto DETEST, Pleiades, and Hairer's dopri5 on the Arenstorf orbit
-// (tests/data/ode/SOURCE.txt).
+// End values published for well-known problems: Toronto DETEST, Pleiades, and Hairer's dopri5 on
+// the Arenstorf orbit (tests/data/ode/SOURCE.txt).
 #include <QFile>
 #include <QtTest>
 #include <cmath>
@@ -40,8 +40,8 @@ std::map<std::string, Published> detest() {
 template <int N>
 double solve(typename FunctionSystem<N>::Function f, Method method, const Published& p) {
   FunctionSystem<N> system{f};
-  // Absolute error per step, as DETEST defines its tolerance (the relative part is at its least). The
-  // Euclidean norm is blind to the zeros a small problem is padded with.
+  // Absolute error per step, as DETEST defines its tolerance (the relative part is at its least).
+  // The Euclidean norm is blind to the zeros a small problem is padded with.
   SolverSettings settings = adaptive(method, 1e-9, Norm::Euclidean);
   std::get<ScaledErrorControl>(settings.errorControl).relativeTolerance = 1e-15;
   Solver<FunctionSystem<N>> solver(settings, system);
@@ -69,7 +69,8 @@ double solveNamed(const std::string& problem, Method m, const Published& p) {
 }
 
 using State28 = FunctionSystem<28>::State;
-/// Pleiades: x and y of seven stars of mass j, then their velocities. Hairer et al. I, eq. (II.10.3).
+/// Pleiades: x and y of seven stars of mass j, then their velocities. Hairer et al. I, eq.
+/// (II.10.3).
 void pleiades(double, const State28& s, State28& d) {
   d.head<14>() = s.tail<14>();
   for (int i = 0; i < 7; ++i) {
@@ -120,7 +121,8 @@ class ReferenceTest : public QObject {
     static const auto problems = detest();
     const double error = solveNamed(problem.toStdString(), static_cast<Method>(method),
                                     problems.at(problem.toStdString()));
-    // F1 switches its forcing at every integer; the solvers step over the jumps unaware, at first order.
+    // F1 switches its forcing at every integer; the solvers step over the jumps unaware, at first
+    // order.
     const double allowed = problem == "F1" ? 1000.0 : 1.0;
     QVERIFY2(error <= allowed, qPrintable(QString::number(error)));
   }
@@ -146,7 +148,8 @@ class ReferenceTest : public QObject {
   }
 
   void arenstorfAsDopri5() {
-    // dr_dopri5.f: RTOL = ATOL = 1e-7, PI controller, dense output at 0, 2, ..., 16; no step is kept.
+    // dr_dopri5.f: RTOL = ATOL = 1e-7, PI controller, dense output at 0, 2, ..., 16; no step is
+    // kept.
     FunctionSystem<4> system{arenstorf};
     SolverSettings settings =
         adaptive(Method::Rk547M, 1e-7, Norm::Rms, StepController::ProportionalIntegral);

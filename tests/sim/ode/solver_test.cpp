@@ -1,4 +1,5 @@
-// Driving: landing on sample instants, cut runs, kept steps, statistics, failures as values, no heap in a step.
+// Driving: landing on sample instants, cut runs, kept steps, statistics, failures as values, no
+// heap in a step.
 #include <QtTest>
 #include <cmath>
 #include <cstdlib>
@@ -31,7 +32,8 @@ void operator delete(void* p, std::size_t) noexcept {
 
 namespace {
 
-/// An oscillator that notes when it is asked, may fail after a time, and projects its state on request.
+/// An oscillator that notes when it is asked, may fail after a time, and projects its state on
+/// request.
 struct Probe {
   using State = Eigen::Matrix<double, 3, 1>;
   double failAfter = std::numeric_limits<double>::infinity();

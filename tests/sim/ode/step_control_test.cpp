@@ -1,4 +1,5 @@
-// What the step control decides, and what the fixed-step loop does where it starts with a known derivative or fails.
+// What the step control decides, and what the fixed-step loop does where it starts with a known
+// derivative or fails.
 #include <QtTest>
 #include <cmath>
 
@@ -74,7 +75,8 @@ class StepControlTest : public QObject {
     QVERIFY(10 * kept.statistics.evaluations < 11 * free.statistics.evaluations);
   }
 
-  /// Gustafsson: where stability holds the step, the last error alone makes it swing about the limit.
+  /// Gustafsson: where stability holds the step, the last error alone makes it swing about the
+  /// limit.
   void piControlSparesRejectedStepsAtTheStabilityLimit() {
     const auto rejected = [](StepController c) {
       System system{stiff};

@@ -1,5 +1,5 @@
-// Every tableau satisfies the order conditions of all rooted trees up to its order, and fails one of the next.
-// Conditions: Hairer, Norsett, Wanner, Solving ODEs I, section II.2.
+// Every tableau satisfies the order conditions of all rooted trees up to its order, and fails one
+// of the next. Conditions: Hairer, Norsett, Wanner, Solving ODEs I, section II.2.
 #include <QtTest>
 #include <cmath>
 #include <functional>
@@ -27,7 +27,8 @@ double densityOf(const Tree& t) {
   return density;
 }
 
-/// All rooted trees of each order up to `most`, made by attaching multisets of smaller trees to a root.
+/// All rooted trees of each order up to `most`, made by attaching multisets of smaller trees to a
+/// root.
 std::vector<std::vector<Tree>> treesUpTo(int most) {
   std::vector<std::vector<Tree>> byOrder(static_cast<std::size_t>(most) + 1);
   std::vector<Tree> all;

@@ -1,6 +1,7 @@
-// The published solver comparison (Quadrotor Simulator, University of Aveiro, 2014, tables 2.3 and 2.4): rigid
-// birotor of table 2.2, step 10 ms, 60 s, tolerance 1e-3. The published figures need alpha'' = (F2 - F1 - 2 D r^2 alpha') /
-// (r M) in place of the printed eq. (2.31); see the help page of the experiment.
+// The published solver comparison (Quadrotor Simulator, University of Aveiro, 2014, tables 2.3 and
+// 2.4): rigid birotor of table 2.2, step 10 ms, 60 s, tolerance 1e-3. The published figures need
+// alpha'' = (F2 - F1 - 2 D r^2 alpha') / (r M) in place of the printed eq. (2.31); see the help
+// page of the experiment.
 #include <QtTest>
 #include <cmath>
 #include <vector>

@@ -99,7 +99,8 @@ class WatchTest : public QObject {
 
   void pausingDoesNotChangeTheRun_data() { methods(); }
   void pausingDoesNotChangeTheRun() {
-    // A long run is cut in slices so that it can be stopped: neither the state nor the count may show it.
+    // A long run is cut in slices so that it can be stopped: neither the state nor the count may
+    // show it.
     QFETCH(int, method);
     const auto m = static_cast<Method>(method);
     const SolverSettings s = isAdaptive(m) ? adaptive(m, 1e-7) : fixedStep(m, 0.0078125);
@@ -158,7 +159,8 @@ class WatchTest : public QObject {
     System system{ball};
     SolverSettings settings =
         isAdaptive(m) ? adaptive(m, 1e-9) : fixedStep(m, m == Method::Euler ? 1e-5 : 0.01);
-    // The flight is a parabola, which these methods solve exactly at any step: the bound lets no bounce hide.
+    // The flight is a parabola, which these methods solve exactly at any step: the bound lets no
+    // bounce hide.
     settings.maximumStep = 0.05;
     Solver<System> solver(settings, system);
     State y(1.0, 0.0, 0.0);

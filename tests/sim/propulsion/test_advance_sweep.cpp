@@ -1,4 +1,5 @@
-// Coefficients over the advance ratio against their definitions, worked out here from thrust and torque.
+// Coefficients over the advance ratio against their definitions, worked out here from thrust and
+// torque.
 #include <QtTest>
 #include <cmath>
 #include <numbers>

@@ -43,7 +43,8 @@ SectionConstants idealSection() {
   return c;
 }
 
-/// The reference took the printed pitch with a weight of one half, the program takes it with 0.41: the rest as an offset.
+/// The reference took the printed pitch with a weight of one half, the program takes it with 0.41:
+/// the rest as an offset.
 PropellerGeometry withReferenceBlend(PropellerGeometry g) {
   g.twistOffset = -(0.5 / 0.41 - 1) * nominalPitchBlend(g);
   return g;
@@ -129,7 +130,8 @@ void TestBladeElement::standingStillInWind() {
   QVERIFY(std::abs(load.torque + 0.009551) < 2e-6);
 }
 
-/// v (V + v) = h in climb, v (V + v) = -h in the windmill brake state, v sqrt(Vi^2 + (V + v)^2) = h (Glauert).
+/// v (V + v) = h in climb, v (V + v) = -h in the windmill brake state, v sqrt(Vi^2 + (V + v)^2) = h
+/// (Glauert).
 void TestBladeElement::inducedVelocityFollowsMomentumTheory() {
   for (double axial : {-1.0, 0.0, 0.3, 5.0, 1e4}) {
     const double v = axialInducedVelocity(4, axial);
@@ -167,8 +169,8 @@ void TestBladeElement::inducedVelocityIsSmoothThroughTheVortexRing() {
   }
 }
 
-/// Inflow ratio of the blade-element-momentum theory in hover without tip loss, swirl and drag, Leishman (3.61):
-/// lambda = sigma a/16 (sqrt(1 + 32 theta r/(sigma a)) - 1), a the lift slope.
+/// Inflow ratio of the blade-element-momentum theory in hover without tip loss, swirl and drag,
+/// Leishman (3.61): lambda = sigma a/16 (sqrt(1 + 32 theta r/(sigma a)) - 1), a the lift slope.
 void TestBladeElement::lightlyLoadedRotorMeetsClosedForm() {
   PropellerGeometry g;
   g.blades = 12;
@@ -207,8 +209,8 @@ void TestBladeElement::distributionAddsUp() {
   QVERIFY(near(thrust, load.thrust, 1e-12) && near(torque, load.torque, 1e-12));
 }
 
-/// Shaft power covers useful and induced power, thrust times (V + v), of every annulus whose thrust is positive; the
-/// rest is swirl and profile drag.
+/// Shaft power covers useful and induced power, thrust times (V + v), of every annulus whose thrust
+/// is positive; the rest is swirl and profile drag.
 void TestBladeElement::powerIsNeverWonFromNothing() {
   for (const char* name : {"apcsf_10x4.7", "apce_10x5", "gwsdd_9x5", "apce_17x12"}) {
     const BladeElementRotor rotor(propeller(name));
@@ -309,7 +311,8 @@ void TestBladeElement::turningBackwardsIsTurningOver() {
   QCOMPARE(a.thrust, -b.thrust);
 }
 
-/// Nearly: swirl, which grows with the root of the induction, is nothing at a standstill and 2 % of the torque beside it.
+/// Nearly: swirl, which grows with the root of the induction, is nothing at a standstill and 2 % of
+/// the torque beside it.
 void TestBladeElement::loadsPassSmoothlyThroughStandstill() {
   const BladeElementRotor rotor({});
   for (double axial : {-8.0, 8.0}) {
@@ -351,7 +354,8 @@ void TestBladeElement::obliqueFlowWithoutInPlaneSpeedIsAxial() {
   }
 }
 
-/// Translational lift, H-force against the motion and more lift on the advancing side (Leishman, ch. 3 and 4).
+/// Translational lift, H-force against the motion and more lift on the advancing side (Leishman,
+/// ch. 3 and 4).
 void TestBladeElement::levelFlightLiftsAndDrags() {
   const BladeElementRotor rotor({});
   const double hover = rotor.axial(500, 0, kAir).thrust;

@@ -1,4 +1,5 @@
-// Battery, speed controller, motor and load coupled: the energy ledger, closed forms, limits and symmetries.
+// Battery, speed controller, motor and load coupled: the energy ledger, closed forms, limits and
+// symmetries.
 #include <QtTest>
 #include <cmath>
 #include <random>
@@ -86,7 +87,8 @@ class TestDriveTrain : public QObject {
     QVERIFY(std::abs(DriveTrain(setup).instant(stalled).current - 10 / 0.117) < 1e-9);
   }
 
-  /// Without friction and load the quasi-static motor is first order: w = V/K (1 - exp(-t/tau)), tau = J R/K^2.
+  /// Without friction and load the quasi-static motor is first order: w = V/K (1 - exp(-t/tau)),
+  /// tau = J R/K^2.
   void stepResponseMeetsClosedForm() {
     DriveTrainSetup setup;
     setup.supply = SupplyParameters{.voltage = 10};
@@ -105,7 +107,8 @@ class TestDriveTrain : public QObject {
              qPrintable(QString::number(y[DriveTrain::kSpeed] / expected - 1)));
   }
 
-  /// The inductance delays, it does not change where the motor ends; steady points solved directly are those reached.
+  /// The inductance delays, it does not change where the motor ends; steady points solved directly
+  /// are those reached.
   void steadyStateIsReached_data() {
     QTest::addColumn<double>("throttle");
     for (const double u : {0.1, 0.4, 0.7, 1.0}) QTest::addRow("throttle %.1f", u) << u;
@@ -186,7 +189,8 @@ class TestDriveTrain : public QObject {
     QCOMPARE(b[DriveTrain::kCharge], a[DriveTrain::kCharge]);
   }
 
-  /// Charge taken out equals the integral of the bus current; voltage sags by R_0 at once and by R_1 in the end.
+  /// Charge taken out equals the integral of the bus current; voltage sags by R_0 at once and by
+  /// R_1 in the end.
   void batteryCountsCharge() {
     BatteryParameters battery;
     battery.openCircuit = {{0, 4}, {1, 4}};
@@ -238,7 +242,8 @@ class TestDriveTrain : public QObject {
     }
   }
 
-  /// The pole is that of the matrix: a small disturbance decays with it. Methods are stable below the limit and not above.
+  /// The pole is that of the matrix: a small disturbance decays with it. Methods are stable below
+  /// the limit and not above.
   void fastestPole() {
     DriveTrainSetup setup = e305();
     setup.supply = SupplyParameters{.voltage = 11.1};

@@ -59,7 +59,8 @@ class TestMeasuredPropeller : public QObject {
     QVERIFY(std::abs(coefficients(table, 5000, 0).second - 0.05) < 1e-12);
   }
 
-  /// A static test beside a tunnel's: at rest the static values hold, in the stream those of the tunnel.
+  /// A static test beside a tunnel's: at rest the static values hold, in the stream those of the
+  /// tunnel.
   void staticTestCompletesACurve() {
     const CoefficientTable table(of({{400, 0.2, 0.10, 0.045},
                                      {401, 0.6, 0.02, 0.025},
@@ -87,7 +88,8 @@ class TestMeasuredPropeller : public QObject {
     }
   }
 
-  /// Past zero thrust the propeller brakes, and in the end the stream drives it; in descent it still lifts.
+  /// Past zero thrust the propeller brakes, and in the end the stream drives it; in descent it
+  /// still lifts.
   void windmillAndDescent() {
     const CoefficientTable table{MeasuredPropeller{}};
     for (double advance = 0.8; advance <= 2; advance += 0.05)
@@ -97,7 +99,8 @@ class TestMeasuredPropeller : public QObject {
       QVERIFY(coefficients(table, 500, advance).first > 0);
   }
 
-  /// The parked propeller of the extrapolation against blade elements: the mean of 101 propellers, within 25 %.
+  /// The parked propeller of the extrapolation against blade elements: the mean of 101 propellers,
+  /// within 25 %.
   void parkedValuesAreThoseOfBladeElements() {
     double thrust = 0, torque = 0, count = 0;
     for (const auto& set : uiuc::sets()) {

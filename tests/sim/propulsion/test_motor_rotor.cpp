@@ -49,7 +49,8 @@ void TestMotorRotor::stalledMotorDrawsVoltageOverResistance() {
   QCOMPARE(m.currentRate(11.1, 0.0, 0.0), 11.1 / 50e-6);
 }
 
-/// Viscous friction only, no air: w and i are linear with eigenvalues of [[-f/J, K/J], [-K/L, -R/L]].
+/// Viscous friction only, no air: w and i are linear with eigenvalues of [[-f/J, K/J], [-K/L,
+/// -R/L]].
 void TestMotorRotor::linearMotorFollowsClosedForm() {
   MotorParameters p;
   p.viscousShare = 1;
@@ -90,7 +91,8 @@ void TestMotorRotor::frictionIsOddAndSmooth() {
   QVERIFY(std::isfinite(m.friction(1e-300)));
 }
 
-/// Reference table 6a, F450 (JSBSim): CT 0.1288 -> 1.327e-5 N s^2, CP 0.0666 -> 2.621e-7 N m s^2 at 1.225 kg/m^3.
+/// Reference table 6a, F450 (JSBSim): CT 0.1288 -> 1.327e-5 N s^2, CP 0.0666 -> 2.621e-7 N m s^2 at
+/// 1.225 kg/m^3.
 void TestMotorRotor::propellerCoefficientsGiveThePublishedFactors() {
   const RotorConstants r = buildRotor({});
   QVERIFY(std::abs(1.225 * r.thrust - 1.327e-5) < 1e-8);

@@ -1,5 +1,6 @@
-// The map of a propeller against its blade elements. Errors are in percent of the static thrust and torque at the same
-// air speed at 75 % radius, which stays meaningful where the propeller hardly turns.
+// The map of a propeller against its blade elements. Errors are in percent of the static thrust and
+// torque at the same air speed at 75 % radius, which stays meaningful where the propeller hardly
+// turns.
 #include <QtTest>
 #include <cmath>
 
@@ -21,7 +22,8 @@ struct Worst {
   double thrust = 0, torque = 0;
 };
 
-/// Over directions of the air between two angles, rad, off the grid, at five speeds and in thin air.
+/// Over directions of the air between two angles, rad, off the grid, at five speeds and in thin
+/// air.
 Worst worstBetween(const BladeElementRotor& rotor, const PropellerMap& map, double from,
                    double to) {
   const AirState air{1.1, 1.9e-5};
@@ -95,7 +97,8 @@ void TestPropellerMap::mapIsExactOnItsGrid() {
   }
 }
 
-/// Half the density at twice the speed is the same Reynolds number: twice the load, to the last digits.
+/// Half the density at twice the speed is the same Reynolds number: twice the load, to the last
+/// digits.
 void TestPropellerMap::airIsScaledByReynoldsNumber() {
   const PropellerMap map(BladeElementRotor({}), kAxialOnly);
   const ThrustAndTorque a = map.axial(400, 3, {1.2, 1.8e-5}), b = map.axial(800, 6, {0.6, 1.8e-5});

@@ -1,4 +1,5 @@
-// A grid that is solved where it needs to be, and the table that reads it: against the functions they were made of.
+// A grid that is solved where it needs to be, and the table that reads it: against the functions
+// they were made of.
 #include <QtTest>
 #include <atomic>
 #include <cmath>
@@ -78,7 +79,8 @@ class TestRefinedGrid : public QObject {
     QVERIFY(std::abs(fine.at(i)[3] - sample(fine.place(i), kSteepness)[3]) < 1e-14);
   }
 
-  /// A parabola is given back to single precision, to the ends of every axis: mirrored ones, too, if it is even.
+  /// A parabola is given back to single precision, to the ends of every axis: mirrored ones, too,
+  /// if it is even.
   void tableReadsParabolasExactly() {
     const auto parabola = [](const GridPlace& p) {
       return GridValues{p[0] * p[0] - p[2], p[1] * p[1] + 2, 3 * p[2] * p[2], p[0] * p[2]};
@@ -103,7 +105,8 @@ class TestRefinedGrid : public QObject {
     for (const double value : outside) QVERIFY(!std::isinf(value));
   }
 
-  /// No slope along an even axis at 0; derivatives over a differentiating scalar are those of the table.
+  /// No slope along an even axis at 0; derivatives over a differentiating scalar are those of the
+  /// table.
   void derivatives() {
     using Dual = Eigen::AutoDiffScalar<Eigen::Vector3d>;
     const CubicTable table(
@@ -120,7 +123,8 @@ class TestRefinedGrid : public QObject {
     table.at(0.31 + kStep, 0.42, 0.6, up);
     table.at(0.31 - kStep, 0.42, 0.6, down);
     QVERIFY(std::abs((up[0] - down[0]) / (2 * kStep) - exact[0]) < 1e-6);
-    // The slopes of Catmull and Rom are central differences: h^2/6 of the third derivative, below 8 here, at 16 intervals.
+    // The slopes of Catmull and Rom are central differences: h^2/6 of the third derivative, below 8
+    // here, at 16 intervals.
     constexpr double kSlopeError = 8.0 / (6 * 16 * 16);
     QVERIFY(std::abs(exact[0] - 2 * std::cos(0.62) * std::cos(0.42)) < kSlopeError);
   }

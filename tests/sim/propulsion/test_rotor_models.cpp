@@ -99,7 +99,8 @@ struct ObliqueErrors {
     inPlane = std::max(inPlane, (a.force - b.force).head<2>().norm() / still.thrust);
     moment = std::max(moment, (a.moment - b.moment).head<2>().norm() / (still.thrust * radius));
   }
-  /// What the issue asks for: 0.2 % and 1 %. In-plane force and hub moment are held to the thrust's limit.
+  /// What the issue asks for: 0.2 % and 1 %. In-plane force and hub moment are held to the thrust's
+  /// limit.
   [[nodiscard]] bool small() const {
     qInfo("thrust %.3f %%, torque %.3f %%, in-plane force %.3f %%, moments %.3f %%", 100 * thrust,
           100 * torque, 100 * inPlane, 100 * moment);
@@ -107,7 +108,8 @@ struct ObliqueErrors {
   }
 };
 
-/// Rotor speeds about hover, climb and sink, edgewise flight to 20 m/s; static thrust at the same rotor speed.
+/// Rotor speeds about hover, climb and sink, edgewise flight to 20 m/s; static thrust at the same
+/// rotor speed.
 ObliqueErrors errorsInFlight(const BladeElementRotor& exact, const PropellerMap& map) {
   const AirState air{kDensity, kAirViscosity};
   const double hover = 66 / exact.radius();  // tip speed of the default propeller in hover
@@ -122,11 +124,13 @@ ObliqueErrors errorsInFlight(const BladeElementRotor& exact, const PropellerMap&
   return e;
 }
 
-/// All directions of the air and Reynolds numbers, spread evenly and off the grid: from straight descent to straight
-/// climb, from no in-plane speed to nothing else; static thrust at the same air speed. Thin air.
+/// All directions of the air and Reynolds numbers, spread evenly and off the grid: from straight
+/// descent to straight climb, from no in-plane speed to nothing else; static thrust at the same air
+/// speed. Thin air.
 ObliqueErrors errorsEverywhere(const BladeElementRotor& exact, const PropellerMap& map) {
   constexpr int kStates = 2000;
-  // Steps of a lattice that fills the cube (M. Roberts, R3: powers of the inverse of 1.2207..., root of x^4 = x + 1).
+  // Steps of a lattice that fills the cube (M. Roberts, R3: powers of the inverse of 1.2207...,
+  // root of x^4 = x + 1).
   constexpr double kSteps[] = {0.8191725133961645, 0.6710436067037893, 0.5497004779019703};
   const AirState air{1.1, 1.9e-5};
   const double radius = exact.radius();
@@ -147,7 +151,8 @@ ObliqueErrors errorsEverywhere(const BladeElementRotor& exact, const PropellerMa
 class TestRotorModels : public QObject {
   Q_OBJECT
  private slots:
-  /// Against blade elements, in percent of the static thrust and torque: hover at +-10 % of its speed, climb to 3 m/s.
+  /// Against blade elements, in percent of the static thrust and torque: hover at +-10 % of its
+  /// speed, climb to 3 m/s.
   void modelsAgree_data() {
     QTest::addColumn<int>("model");
     QTest::addColumn<double>("thrust");
@@ -174,8 +179,8 @@ class TestRotorModels : public QObject {
     QVERIFY(worstThrust < thrust && worstTorque < torque);
   }
 
-  /// Map against blade elements with air from the side: in flight, and over the whole map. The two that came out worst; the
-  /// validation suite has seven.
+  /// Map against blade elements with air from the side: in flight, and over the whole map. The two
+  /// that came out worst; the validation suite has seven.
   void mapFollowsObliqueFlow_data() {
     QTest::addColumn<QString>("name");
     for (const char* name : {"da4052_9x8.95", "gwsdd_4x2.5"}) QTest::addRow("%s", name) << name;
@@ -223,7 +228,8 @@ class TestRotorModels : public QObject {
     }
   }
 
-  /// The mirror image of a rotor turns the other way: force mirrored, moment mirrored as a rotation.
+  /// The mirror image of a rotor turns the other way: force mirrored, moment mirrored as a
+  /// rotation.
   void mirrorSymmetry_data() { addModels(); }
   void mirrorSymmetry() {
     const RotorConstants r = fetched();

@@ -203,7 +203,8 @@ void TestSections::brokenXfoilPolarsAreNamed() {
   QCOMPARE(said.count('\n'), 0);
 }
 
-/// Twist 20 degrees at 75 % against a pitch whose angle there is atan(0.5/(0.75 pi)) = 11.98 degrees.
+/// Twist 20 degrees at 75 % against a pitch whose angle there is atan(0.5/(0.75 pi)) = 11.98
+/// degrees.
 void TestSections::printedPitchIsBlendedIn() {
   PropellerGeometry g;
   g.stations = {{0.2, 0.2, 20 * kDegree}, {1, 0.1, 20 * kDegree}};

@@ -1,4 +1,5 @@
-// The figures of a data sheet against closed forms, a measured thrust stand and the vehicle that is flown with them.
+// The figures of a data sheet against closed forms, a measured thrust stand and the vehicle that is
+// flown with them.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -75,7 +76,8 @@ class TestDataSheet : public QObject {
     QVERIFY(near(split, 0.45 * kt, 1e-6));  // the smooth sign is 1e-6 below one at 1000 rad/s
   }
 
-  /// M. Drela, First-order DC electric motor model, 2007: i = sqrt(I0 V/R), eta = (1 - sqrt(I0 R/V))^2.
+  /// M. Drela, First-order DC electric motor model, 2007: i = sqrt(I0 V/R), eta = (1 - sqrt(I0
+  /// R/V))^2.
   void bestEfficiencyHasItsClosedForm() {
     const DataSheet sheet;
     const FigureSheet figures = figuresOf(sheet);
@@ -86,7 +88,8 @@ class TestDataSheet : public QObject {
         near(value(figures, "motor.bestEfficiency"), std::pow(1 - std::sqrt(i0 * r / v), 2), 1e-5));
   }
 
-  /// T = CT rho n^2 D^4 carries m g/N; i K = Q + K I0; the duty balances the voltages of a sagging supply.
+  /// T = CT rho n^2 D^4 carries m g/N; i K = Q + K I0; the duty balances the voltages of a sagging
+  /// supply.
   void hoverHasItsClosedForm() {
     DataSheet sheet;
     sheet.supply = SupplyParameters{11.1, 0.01};
@@ -128,7 +131,8 @@ class TestDataSheet : public QObject {
                  1e-12));
   }
 
-  /// Fields of the log at three throttles: thrust, voltage, current, rpm (SunnySky X2216 1100 KV with APC 10x4.7 SF).
+  /// Fields of the log at three throttles: thrust, voltage, current, rpm (SunnySky X2216 1100 KV
+  /// with APC 10x4.7 SF).
   void measuredPointsAreMet_data() {
     QTest::addColumn<double>("thrust");
     QTest::addColumn<double>("voltage");
@@ -192,7 +196,8 @@ class TestDataSheet : public QObject {
     QVERIFY(std::isinf(discharge(fixed, {.power = 100}).time));
   }
 
-  /// The energy that left the cells is what went into the load and the resistances: V i integrated by its own way.
+  /// The energy that left the cells is what went into the load and the resistances: V i integrated
+  /// by its own way.
   void dischargeKeepsTheLedger() {
     BatteryParameters battery;
     battery.polarisation = 0;

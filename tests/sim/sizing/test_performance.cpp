@@ -1,4 +1,5 @@
-// The performance sheet of a vehicle against the vehicle's own equations, closed forms and published figures.
+// The performance sheet of a vehicle against the vehicle's own equations, closed forms and
+// published figures.
 #include <QtTest>
 #include <cmath>
 #include <numbers>
@@ -53,7 +54,8 @@ VehicleParameters published(double mass, double kf, double kmOverKf, double larg
 class TestPerformance : public QObject {
   Q_OBJECT
  private slots:
-  /// Simulators' parameter files: mass with rotors, thrust constant, largest rotor speed, and what follows.
+  /// Simulators' parameter files: mass with rotors, thrust constant, largest rotor speed, and what
+  /// follows.
   void publishedVehicles_data() {
     QTest::addColumn<double>("mass");
     QTest::addColumn<double>("kf");
@@ -96,7 +98,8 @@ class TestPerformance : public QObject {
     QVERIFY(near(value(sheet, "efficiency.total"), chain, 1e-12));
   }
 
-  /// The fastest flight put into the equations that are flown: nothing accelerates, and its limit is just met.
+  /// The fastest flight put into the equations that are flown: nothing accelerates, and its limit
+  /// is just met.
   void fastestFlightIsATrim_data() {
     QTest::addColumn<double>("tiltDegrees");
     QTest::addColumn<QString>("limit");
@@ -163,14 +166,16 @@ class TestPerformance : public QObject {
     QVERIFY(noteSays(sheet, "payload.most", "80 % throttle"));
   }
 
-  /// And its ceiling lies where the density is 1/(T/W) of that at sea level (ISO 2533: 0.6125 kg/m^3 at 6667 m for a half).
+  /// And its ceiling lies where the density is 1/(T/W) of that at sea level (ISO 2533: 0.6125
+  /// kg/m^3 at 6667 m for a half).
   void ceilingHasItsClosedForm() {
     const double mass = 4 * 5e-6 * 1e6 / 2 / 9.80665;  // thrust to weight 2
     const FigureSheet sheet = performanceSheet(published(mass, 5e-6, 0.016, 1000), {});
     QVERIFY(std::abs(value(sheet, "ceiling.hover") - 6667) < 5);
   }
 
-  /// With a battery the time is that of the discharge under the hover's power, never above capacity over current.
+  /// With a battery the time is that of the discharge under the hover's power, never above capacity
+  /// over current.
   void limitsAreNamed() {
     Flight flight = flightOf("f450-hover-and-steps");
     FigureSheet sheet = performanceSheet(flight.vehicle, flight.environment);

@@ -22,7 +22,8 @@ class TestBirotor : public QObject {
   void unequalMassesAreRefused();
 };
 
-/// Physics reference: with table 2.1 and RK4 at 0.05 s the bar passes 0.6 m near 23.5 s, at -18 rad/s and -109 N.
+/// Physics reference: with table 2.1 and RK4 at 0.05 s the bar passes 0.6 m near 23.5 s, at -18
+/// rad/s and -109 N.
 void TestBirotor::springBarStretchesAsInTable21() {
   const SpringBarBirotor plant{SpringBarParameters{}};
   auto y = plant.initialState();
@@ -96,7 +97,8 @@ void TestBirotor::closedFormWithoutFriction() {
   QVERIFY(std::abs(RigidBarBirotor(p).angularVelocityAt(3, BirotorDamping::Physical) - 8) < 1e-10);
 }
 
-/// Equal forces, no rotation: constant thrust against linear drag, v = (2F/D)(1 - exp(-D t/M)) along the normal.
+/// Equal forces, no rotation: constant thrust against linear drag, v = (2F/D)(1 - exp(-D t/M))
+/// along the normal.
 void TestBirotor::rigidBarMovesSquareToTheBar() {
   RigidBarParameters p;
   p.force1 = p.force2 = 3;
@@ -111,7 +113,8 @@ void TestBirotor::rigidBarMovesSquareToTheBar() {
   QVERIFY(std::abs(y[3] - speed * std::cos(0.7)) < 1e-9);
 }
 
-/// A very stiff bar moves like the rigid one. Without friction, which the two models do not share alike.
+/// A very stiff bar moves like the rigid one. Without friction, which the two models do not share
+/// alike.
 void TestBirotor::bothModelsAgreeForAStiffBar() {
   RigidBarParameters rigid;
   rigid.friction = 0;

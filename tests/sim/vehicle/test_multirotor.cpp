@@ -213,7 +213,8 @@ void TestMultirotor::gyroscopicMomentDoesNoWork() {
   QVERIFY((y.segment<3>(L::kPosition) - 5 * Vector3d(1, 2, 3)).norm() < 1e-9);
 }
 
-/// No air, no gravity: motor torque is internal. Spinning up counter-clockwise rotors turns the body clockwise.
+/// No air, no gravity: motor torque is internal. Spinning up counter-clockwise rotors turns the
+/// body clockwise.
 void TestMultirotor::motorsTurnTheBodyTheOtherWay() {
   VehicleParameters v = withoutDrag();
   v.layout = PlusLayout{};
@@ -256,7 +257,8 @@ void TestMultirotor::freeTumbleFollowsJacobi() {
   }
 }
 
-/// Mirrored in the x-z plane, rotors 1 and 4, 2 and 3 change places; their spins are opposite already.
+/// Mirrored in the x-z plane, rotors 1 and 4, 2 and 3 change places; their spins are opposite
+/// already.
 void TestMultirotor::mirroredVehicleMovesMirrored() {
   VehicleParameters v = hummingbird();
   v.layout = CrossLayout{};

@@ -1,5 +1,5 @@
-// The speed controllers of a flying vehicle: lag, direction, braking, limit and energy, and that they are those of the
-// stands.
+// The speed controllers of a flying vehicle: lag, direction, braking, limit and energy, and that
+// they are those of the stands.
 #include <QtTest>
 #include <cmath>
 #include <random>
@@ -42,7 +42,8 @@ Plant::State fly(Plant& plant, const ode::SolverSettings& settings, Plant::State
 class TestMultirotorEsc : public QObject {
   Q_OBJECT
  private slots:
-  /// d = u + (d0 - u) exp(-t/T), at any T with the exponential method: it may be far below the step.
+  /// d = u + (d0 - u) exp(-t/T), at any T with the exponential method: it may be far below the
+  /// step.
   void dutyFollowsItsLag_data() {
     QTest::addColumn<int>("method");
     QTest::addColumn<double>("responseTime");
@@ -74,7 +75,8 @@ class TestMultirotorEsc : public QObject {
     QVERIFY2(worst <= allowed, qPrintable(QString::number(worst)));
   }
 
-  /// Hover with the steady duties is an equilibrium with a lag too: the flight starts with the duties it needs.
+  /// Hover with the steady duties is an equilibrium with a lag too: the flight starts with the
+  /// duties it needs.
   void lagKeepsHover() {
     VehicleParameters v = vehicle({.resistance = 0.01, .responseTime = 0.03});
     std::get<SupplyParameters>(v.supply).internalResistance = 0.02;
@@ -133,8 +135,8 @@ class TestMultirotorEsc : public QObject {
     }
   }
 
-  /// Throttle closed in flight: a passive speed controller slows the rotor by air and friction alone, no current flows
-  /// back, and the supply gains nothing. Both methods tell the same.
+  /// Throttle closed in flight: a passive speed controller slows the rotor by air and friction
+  /// alone, no current flows back, and the supply gains nothing. Both methods tell the same.
   void passiveBrakingLetsGo_data() {
     QTest::addColumn<double>("responseTime");
     QTest::addRow("no lag") << 0.0;
@@ -173,8 +175,8 @@ class TestMultirotorEsc : public QObject {
              qPrintable(QString("%1 %2").arg(coasted.speed).arg(check.speed)));
   }
 
-  /// What leaves the cells is stored or lost, at any state and with every speed controller; without active braking no
-  /// power returns while the currents flow the way they may.
+  /// What leaves the cells is stored or lost, at any state and with every speed controller; without
+  /// active braking no power returns while the currents flow the way they may.
   void energyLedger_data() {
     QTest::addColumn<EscParameters>("esc");
     for (const bool reverse : {false, true}) {
@@ -219,7 +221,8 @@ class TestMultirotorEsc : public QObject {
     }
   }
 
-  /// A rotor of a vehicle too heavy to move is a motor on a stand: same course of speed, current and duty.
+  /// A rotor of a vehicle too heavy to move is a motor on a stand: same course of speed, current
+  /// and duty.
   void rotorEqualsStand_data() {
     QTest::addColumn<EscParameters>("esc");
     QTest::addColumn<double>("second");  // command after half the time

@@ -89,8 +89,8 @@ void TestMultirotorJacobian::exactJacobianEqualsCentralDifferences() {
   }
 }
 
-/// What a linear model needs: a lag is a state with the pole -1/T that the command moves, and without one the command
-/// moves the currents at once.
+/// What a linear model needs: a lag is a state with the pole -1/T that the command moves, and
+/// without one the command moves the currents at once.
 void TestMultirotorJacobian::commandReachesTheMotors_data() {
   QTest::addColumn<double>("responseTime");
   QTest::addRow("no lag") << 0.0;

@@ -101,8 +101,8 @@ class TestMultirotorModels : public QObject {
     }
   }
 
-  /// Source = supply + speed controllers + copper + friction + shaft + stored, at any state, within and at the limit
-  /// of the current.
+  /// Source = supply + speed controllers + copper + friction + shaft + stored, at any state, within
+  /// and at the limit of the current.
   void energyLedger_data() { addModels(); }
   void energyLedger() {
     Plant plant(buildMultirotor<4>(fetched(), {}));
@@ -143,7 +143,8 @@ class TestMultirotorModels : public QObject {
     QVERIFY(std::abs(d[L::kCurrent]) < 1e-6);
   }
 
-  /// Sag couples the motors: one that draws more leaves the others less; charge and polarisation follow.
+  /// Sag couples the motors: one that draws more leaves the others less; charge and polarisation
+  /// follow.
   void batterySags() {
     const BatteryParameters b{.charge = 0.5};
     VehicleParameters v = vehicle(PropellerCoefficients{});

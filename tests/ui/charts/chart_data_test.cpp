@@ -1,5 +1,5 @@
-// From recordings to the points, ranges and labels a chart draws. Expected extremes come from looking at every
-// row; expected ticks are what a person would choose.
+// From recordings to the points, ranges and labels a chart draws. Expected extremes come from
+// looking at every row; expected ticks are what a person would choose.
 #include <QTest>
 #include <QtMath>
 #include <algorithm>
@@ -245,7 +245,8 @@ void ChartDataTest::xyTraceKeepsThePathWithinAPixel() {
   recording->finish();
   trace.update(*recording, 1, 2, scale, scale, 100, 100, 100000);
   QVERIFY(trace.complete(*recording));
-  // Two turns through the cells of a 100 px circle: at most about 8 radii of cells, two points each.
+  // Two turns through the cells of a 100 px circle: at most about 8 radii of cells, two points
+  // each.
   QVERIFY(trace.points().size() < 1700);
   QVERIFY(trace.points().size() > 400);
   for (const QPointF& p : trace.points()) QVERIFY(std::abs(std::hypot(p.x(), p.y()) - 1) < 1e-12);

@@ -1,5 +1,5 @@
-// The legend of panes of every size a person can make: each curve can be told apart by what is painted, read-outs give way
-// before names do, and the tool tip has everything.
+// The legend of panes of every size a person can make: each curve can be told apart by what is
+// painted, read-outs give way before names do, and the tool tip has everything.
 #include <QApplication>
 #include <QImage>
 #include <QScrollBar>

@@ -1,5 +1,5 @@
-// A chart as a person uses it: wheel, band, pan, fit, back, cursors, legend, channels dropped and removed, while
-// a run is written.
+// A chart as a person uses it: wheel, band, pan, fit, back, cursors, legend, channels dropped and
+// removed, while a run is written.
 #include <QAbstractButton>
 #include <QApplication>
 #include <QLineEdit>

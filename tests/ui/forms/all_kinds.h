@@ -1,4 +1,5 @@
-// A described document with every kind of field, for the tests of the forms. The forms know nothing of it.
+// A described document with every kind of field, for the tests of the forms. The forms know nothing
+// of it.
 #pragma once
 
 #include <Eigen/Core>

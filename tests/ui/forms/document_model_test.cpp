@@ -1,5 +1,6 @@
-// The document behind the forms: every edit can be undone and redone to the bit, repeated edits are one step,
-// and an edit that comes back to where it began leaves nothing to undo and nothing to save.
+// The document behind the forms: every edit can be undone and redone to the bit, repeated edits are
+// one step, and an edit that comes back to where it began leaves nothing to undo and nothing to
+// save.
 #include <QSignalSpy>
 #include <QtTest>
 

@@ -1,4 +1,5 @@
-// A panel on a test document, driven as a person drives it: fields are found by path, text is typed key by key.
+// A panel on a test document, driven as a person drives it: fields are found by path, text is typed
+// key by key.
 #pragma once
 
 #include <QLabel>

@@ -1,5 +1,5 @@
-// What stands where: alternatives, lists and tables with their undo, paste, search, jumps to problems, and the rule
-// that every described field has an editor without a line of form code.
+// What stands where: alternatives, lists and tables with their undo, paste, search, jumps to
+// problems, and the rule that every described field has an editor without a line of form code.
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>

@@ -1,5 +1,6 @@
-// Typing into the fields of a form: units, expressions, both decimal separators, wrong values with their sentence,
-// stepping by keys and wheel, undo. Expected values are exact by the units' definitions.
+// Typing into the fields of a form: units, expressions, both decimal separators, wrong values with
+// their sentence, stepping by keys and wheel, undo. Expected values are exact by the units'
+// definitions.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QMenu>

@@ -1,5 +1,5 @@
-// The library as a person uses it: opened from the form, searched, used, undone; own components saved, copied, renamed,
-// exported, imported and deleted.
+// The library as a person uses it: opened from the form, searched, used, undone; own components
+// saved, copied, renamed, exported, imported and deleted.
 #include <QComboBox>
 #include <QFileDialog>
 #include <QMessageBox>
@@ -228,7 +228,8 @@ void TestLibraryDialog::detailsTellAll() {
   QVERIFY(!child<QPushButton>(dialog, "libraryUse")->isEnabled());
 }
 
-/// A battery for a fixed supply, a propeller for a brake: the alternative comes with the component, as one step.
+/// A battery for a fixed supply, a propeller for a brake: the alternative comes with the component,
+/// as one step.
 void TestLibraryDialog::alternativesAreChosenToo() {
   Bench bench;
   const DriveStand before = bench.stand();
@@ -268,7 +269,8 @@ void TestLibraryDialog::airframeReplacesTheVehicle() {
   QVERIFY(!bench.model.hasErrors());
 }
 
-/// Rotors fly with the speed controllers the stands have: picked, read in the form, changed, saved, found again.
+/// Rotors fly with the speed controllers the stands have: picked, read in the form, changed, saved,
+/// found again.
 void TestLibraryDialog::speedControllersOfAVehicle() {
   Bench bench{Experiment()};
   const auto esc = [](Bench& b) -> const EscParameters& {

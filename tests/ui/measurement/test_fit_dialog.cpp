@@ -1,5 +1,5 @@
-// The fit dialog as a person uses it, on data made with a motor that is known: the values found, used in the experiment,
-// undone, and saved.
+// The fit dialog as a person uses it, on data made with a motor that is known: the values found,
+// used in the experiment, undone, and saved.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
@@ -163,8 +163,9 @@ class TestFitDialog : public QObject {
     QVERIFY2(f.message().contains("hrust"), qPrintable(f.message()));
   }
 
-  /// A log to full throttle, of a stand whose motor takes at most 20 A: the dialog says how many rows that spoils, and leaves
-  /// them out if asked to. With them the resistance is wrong by far more than its interval.
+  /// A log to full throttle, of a stand whose motor takes at most 20 A: the dialog says how many
+  /// rows that spoils, and leaves them out if asked to. With them the resistance is wrong by far
+  /// more than its interval.
   void leavesOutRowsAtTheCurrentLimit() {
     Fixture f(true, 20);
     const auto* rows = f.dialog->findChild<QLabel*>("fitRows");

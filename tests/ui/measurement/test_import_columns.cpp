@@ -1,5 +1,6 @@
-// The import's choices as a person makes them: scale, offset and comment mark are typed, the table and the sentences follow,
-// times as text, compressed files and the tables of propellers are understood.
+// The import's choices as a person makes them: scale, offset and comment mark are typed, the table
+// and the sentences follow, times as text, compressed files and the tables of propellers are
+// understood.
 #include <QSpinBox>
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,5 @@
-// The import as a person does it: a file is named, columns are chosen, sentences are read, a measured run appears.
+// The import as a person does it: a file is named, columns are chosen, sentences are read, a
+// measured run appears.
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <cmath>

@@ -1,5 +1,5 @@
-// The propeller editor as a person uses it: points dragged, stations added and removed by keys, polars brought in,
-// and the figures below read.
+// The propeller editor as a person uses it: points dragged, stations added and removed by keys,
+// polars brought in, and the figures below read.
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QTemporaryDir>

@@ -1,5 +1,5 @@
-// Runs as the window shows them: the controller keeps records current, the panel renames, hides, compares and
-// deletes them, the metrics table copies.
+// Runs as the window shows them: the controller keeps records current, the panel renames, hides,
+// compares and deletes them, the metrics table copies.
 #include <QClipboard>
 #include <QLineEdit>
 #include <QListView>

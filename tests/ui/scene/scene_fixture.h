@@ -1,5 +1,6 @@
-// A vehicle and recordings made for the scene tests: the size of an F450 (225 mm arms, 9.4 inch propellers,
-// plain round numbers elsewhere), and flights along given positions. Helpers that read pixels.
+// A vehicle and recordings made for the scene tests: the size of an F450 (225 mm arms, 9.4 inch
+// propellers, plain round numbers elsewhere), and flights along given positions. Helpers that read
+// pixels.
 #pragma once
 
 #include <QImage>

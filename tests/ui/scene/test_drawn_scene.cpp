@@ -1,5 +1,5 @@
-// The view where no OpenGL context can be made: it shows the vehicle, says why it looks plainer, and answers
-// mouse and keys. Runs offscreen with no display to fall back on.
+// The view where no OpenGL context can be made: it shows the vehicle, says why it looks plainer,
+// and answers mouse and keys. Runs offscreen with no display to fall back on.
 #include <QMainWindow>
 #include <QSignalSpy>
 #include <QTest>

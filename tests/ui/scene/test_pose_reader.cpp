@@ -1,4 +1,5 @@
-// PoseReader: which sample is shown at a time, the planar and the elastic vehicles, decimated trails.
+// PoseReader: which sample is shown at a time, the planar and the elastic vehicles, decimated
+// trails.
 #include <QTest>
 #include <limits>
 

@@ -1,5 +1,5 @@
-// The geometry of the scene: blades from their stations, closed surfaces that look outward, placements, and
-// the Qt 3D graph built from them, counted without rendering.
+// The geometry of the scene: blades from their stations, closed surfaces that look outward,
+// placements, and the Qt 3D graph built from them, counted without rendering.
 #include <QTest>
 #include <Qt3DCore/QEntity>
 #include <Qt3DCore/QTransform>
@@ -18,7 +18,8 @@ SceneColors colors() {
   return sceneColors(QPalette(QColor(239, 239, 239)));
 }
 
-/// Volume inside a closed surface by the divergence theorem: positive if its triangles look outward.
+/// Volume inside a closed surface by the divergence theorem: positive if its triangles look
+/// outward.
 double volume(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {

@@ -1,4 +1,5 @@
-// The whole 3D panel: tool bar, view and playback together, and a recording that grows while it is shown.
+// The whole 3D panel: tool bar, view and playback together, and a recording that grows while it is
+// shown.
 #include <QAction>
 #include <QMenu>
 #include <QSignalSpy>

@@ -1,9 +1,10 @@
-// Pictures of the real window for the README and for the eye: opens an experiment from the gallery, flies it for
-// a while and saves what the window shows. Not a test.
-//   rotorbench-screenshot OUT.png [--experiment NAME] [--seconds S] [--theme light|dark] [--size WxH] [--locale de]
+// Pictures of the real window for the README and for the eye: opens an experiment from the gallery,
+// flies it for a while and saves what the window shows. Not a test.
+//   rotorbench-screenshot OUT.png [--experiment NAME] [--seconds S] [--theme light|dark] [--size
+//     WxH] [--locale de]
 //                        [--section PATH] [--tool NAME]
-// Without --experiment the start page is shown. With a tool of the Tools menu the picture is of its dialog, of the
-// given size.
+// Without --experiment the start page is shown. With a tool of the Tools menu the picture is of its
+// dialog, of the given size.
 #include <QCommandLineParser>
 #include <QDialog>
 #include <QSurfaceFormat>

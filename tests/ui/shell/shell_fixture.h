@@ -1,4 +1,5 @@
-// A window in a sandbox: settings, autosave and documents go to a temporary folder that goes away with it.
+// A window in a sandbox: settings, autosave and documents go to a temporary folder that goes away
+// with it.
 #pragma once
 
 #include <QApplication>

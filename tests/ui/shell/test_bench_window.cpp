@@ -1,5 +1,5 @@
-// The propeller bench in the window: another model chosen by keyboard or from the library and run, two models side by
-// side, and what the charts say where a model has nothing to show.
+// The propeller bench in the window: another model chosen by keyboard or from the library and run,
+// two models side by side, and what the charts say where a model has nothing to show.
 #include <QComboBox>
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
@@ -102,7 +102,8 @@ class TestBenchWindow : public QObject {
     }
   }
 
-  /// The measured component of the library, chosen as a person finds it; its limits stand in Problems.
+  /// The measured component of the library, chosen as a person finds it; its limits stand in
+  /// Problems.
   void measuredComponentFromTheLibrary() {
     MainWindow window;
     showWindow(window);

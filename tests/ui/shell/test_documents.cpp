@@ -1,5 +1,6 @@
-// Documents: open, save, recent files, drag and drop, the unsaved prompt, and work that survives a crash. The crash
-// is real: a second process of this program edits an experiment in the real window and is killed.
+// Documents: open, save, recent files, drag and drop, the unsaved prompt, and work that survives a
+// crash. The crash is real: a second process of this program edits an experiment in the real window
+// and is killed.
 #include <QDir>
 #include <QDropEvent>
 #include <QFile>
@@ -50,7 +51,8 @@ void openAndWait(MainWindow& window, const QString& file) {
 
 }  // namespace
 
-/// The process that will be killed: opens a file in the window, types an edit, says so when it is on disk.
+/// The process that will be killed: opens a file in the window, types an edit, says so when it is
+/// on disk.
 class EditThenWait : public QObject {
   Q_OBJECT
 

@@ -1,5 +1,5 @@
-// The help pages: every link leads to a page, every parameter table exists, every schema type has a page, and F1
-// opens the one that fits.
+// The help pages: every link leads to a page, every parameter table exists, every schema type has a
+// page, and F1 opens the one that fits.
 #include <QListWidget>
 #include <QRegularExpression>
 #include <QTextBrowser>

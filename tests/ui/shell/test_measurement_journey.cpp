@@ -1,6 +1,6 @@
-// One sitting with measured data in the real window: a published log of a thrust stand is imported, mapped, seen on a chart
-// beside the run of the same stand, compared, fitted to, saved as a component, and picked in the experiment. At each step
-// what a person reads is read.
+// One sitting with measured data in the real window: a published log of a thrust stand is imported,
+// mapped, seen on a chart beside the run of the same stand, compared, fitted to, saved as a
+// component, and picked in the experiment. At each step what a person reads is read.
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -171,7 +171,8 @@ void TestMeasurementJourney::importStand(MainWindow& window) {
   QCOMPARE(runs->model()->index(0, 0).data().toString(), kName);
 }
 
-/// What was imported stands as marks beside the run on a chart of the experiment, and in its legend.
+/// What was imported stands as marks beside the run on a chart of the experiment, and in its
+/// legend.
 void TestMeasurementJourney::overlay(MainWindow& window, const QString& chart,
                                      const QString& name) {
   const ChartPane* pane = paneTitled(window, chart);
@@ -202,7 +203,8 @@ void TestMeasurementJourney::residuals(MainWindow& window) {
   QTRY_VERIFY(window.findChild<ResidualsDialog*>() == nullptr);
 }
 
-/// The speed controller of the stand has a curve of its own: the duty is known at full throttle only.
+/// The speed controller of the stand has a curve of its own: the duty is known at full throttle
+/// only.
 void TestMeasurementJourney::fitAndSave(MainWindow& window) {
   auto* dialog = openTool<FitDialog>(window, "toolFit");
   QVERIFY(dialog != nullptr);
@@ -251,7 +253,8 @@ void TestMeasurementJourney::pick(MainWindow& window, const QString& path, const
   QTRY_VERIFY(window.findChild<LibraryDialog*>() == nullptr);
 }
 
-/// A propeller's table in blocks: one curve beside the run of a bench, the whole of it as the propeller of a flight.
+/// A propeller's table in blocks: one curve beside the run of a bench, the whole of it as the
+/// propeller of a flight.
 void TestMeasurementJourney::propellerFromTableToExperiment() {
   MainWindow window;
   showWindow(window);

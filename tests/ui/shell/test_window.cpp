@@ -203,7 +203,8 @@ void TestWindow::invalidValueBlocksRun() {
   QTRY_COMPARE(window.controller().state(), RunState::Finished);
 }
 
-/// A vehicle that cannot lift itself: warned of while it is edited, and the run's end says what it came to.
+/// A vehicle that cannot lift itself: warned of while it is edited, and the run's end says what it
+/// came to.
 void TestWindow::fallingVehicle() {
   MainWindow window;
   showWindow(window);

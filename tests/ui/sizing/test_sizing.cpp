@@ -1,4 +1,5 @@
-// The data-sheet wizard and the performance sheet as a person uses them: from the menu, typing, reading, applying, undoing.
+// The data-sheet wizard and the performance sheet as a person uses them: from the menu, typing,
+// reading, applying, undoing.
 #include <QClipboard>
 #include <QDialogButtonBox>
 #include <QMenu>
@@ -251,8 +252,8 @@ void TestSizing::figuresFollowTheLocale_data() {
   QTest::addRow("C") << QLocale::c();
 }
 
-/// Every number of both sheets, in cells, tool tips, warnings and the copied text, has the decimal sign of the locale; the
-/// CSV has points whatever the locale.
+/// Every number of both sheets, in cells, tool tips, warnings and the copied text, has the decimal
+/// sign of the locale; the CSV has points whatever the locale.
 void TestSizing::figuresFollowTheLocale() {
   QFETCH(QLocale, locale);
   const QLocale before;
