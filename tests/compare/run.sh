@@ -67,8 +67,10 @@ compare() {
   local name=$1 file=$experiments/$1.json old_code new_code text code=0
   local old=$results/$1.old new=$results/$1.new
   echo "$name"
-  new_code=$(fly "$new_cli" "$file" "$new")
+  fly "$new_cli" "$file" "$new" >"$new.code" &
   old_code=$(fly "$old_cli" "$file" "$old")
+  wait $!
+  new_code=$(<"$new.code")
   if ((old_code == 2)) && [[ -e $old_tree/resources/experiments/$name.json ]]; then
     echo "  the old program refuses this file and flies the old tree's file of the same name:"
     grep -v '^wrote ' "$old.log" | head -n 1 | sed 's/^/    /'
@@ -80,20 +82,26 @@ compare() {
   fi
   if ((old_code == 2)); then
     echo "  the old program refuses this file and has no file of this name: a new experiment"
+    judged=$((judged + 1))
     return 0
   fi
   text=$(python3 "$root/tests/compare/compare_runs.py" "$old" "$new" "${judging[@]}") || code=$?
   ((code <= 1)) || return 1
   sed '$d' <<<"$text"
-  add_counts "$(tail -n 1 <<<"$text")"
+  local -a counts
+  read -r -a counts <<<"$(tail -n 1 <<<"$text")"
+  add_counts "${counts[@]}"
+  judged=$((judged + 1))
   return "$code"
 }
 
-equal=0 new=0 tolerated=0 failed=0
+# Channels and metrics of all experiments, and how many experiments were judged to the end.
+sum_equal=0 sum_new=0 sum_tolerated=0 sum_failed=0 judged=0
+
+# add_counts EQUAL NEW TOLERATED FAILED
 add_counts() {
-  local a b c d
-  read -r a b c d <<<"$1"
-  equal=$((equal + a)) new=$((new + b)) tolerated=$((tolerated + c)) failed=$((failed + d))
+  sum_equal=$((sum_equal + $1)) sum_new=$((sum_new + $2))
+  sum_tolerated=$((sum_tolerated + $3)) sum_failed=$((sum_failed + $4))
 }
 
 failures=()
@@ -111,9 +119,11 @@ for file in "$old_tree"/resources/experiments/*.json; do
   fi
 done
 
-sums="$equal equal bit for bit, $new new, $tolerated within the tolerance, $failed failed"
-if ((${#failures[@]} > 0)); then
-  echo "DIFFERENT: ${#wanted[@]} experiments: $sums; look at ${failures[*]}"
+sums="$sum_equal equal bit for bit, $sum_new new, $sum_tolerated within the tolerance"
+sums="$judged of ${#wanted[@]} experiments judged: $sums, $sum_failed failed"
+# Nothing passes unseen: what could not be judged is no success either.
+if ((${#failures[@]} > 0 || judged != ${#wanted[@]})); then
+  echo "DIFFERENT: $sums; look at ${failures[*]}"
   exit 1
 fi
-echo "SAME: ${#wanted[@]} experiments: $sums"
+echo "SAME: $sums"
