@@ -49,7 +49,7 @@ def main():
         medians = [statistics.median(side) for side in zip(*both)]
         smallest = min(new for _, new in both) / min(old for old, _ in both)
         print(
-            f"{label:<34} {medians[0]:>14.8g} {medians[1]:>14.8g} {statistics.median(ratios):>8.4f}"
+            f"{label:<34} {medians[0]:>14.9g} {medians[1]:>14.9g} {statistics.median(ratios):>8.4f}"
             f"  {low:.4f}-{high:.4f} {smallest:>8.4f} {len(both):>5}"
         )
 
