@@ -1,6 +1,6 @@
 # shellcheck shell=bash
 # The Debian 12 packages Rotorbench needs, in one place, and how to install those that are missing.
-# Sourced by app/run.sh, tests/run.sh and .ci/run.
+# Sourced by app/run.sh, tests/run.sh, tests/compare and .ci/run.
 
 # shellcheck disable=SC2034  # each script picks the sets it needs
 build_packages=(
@@ -19,6 +19,15 @@ test_packages=(
 # shellcheck disable=SC2034
 check_packages=(
   clang-format clang-tidy shellcheck
+)
+# What tests/compare uses beside them.
+# shellcheck disable=SC2034
+compare_packages=(
+  python3
+)
+# shellcheck disable=SC2034
+bench_packages=(
+  libbenchmark-dev libboost-dev valgrind
 )
 # shellcheck disable=SC2034
 package_packages=(
