@@ -45,7 +45,7 @@ QString titleOf(const ChartPane& pane) {
 }
 
 QByteArray svgBytes(const ChartPane& pane) {
-  const Figure figure(pane);
+  const ChartFigure figure(pane);
   QByteArray bytes;
   QBuffer buffer(&bytes);
   QSvgGenerator generator;
@@ -61,7 +61,7 @@ QByteArray svgBytes(const ChartPane& pane) {
 }
 
 QByteArray pdfBytes(const ChartPane& pane) {
-  const Figure figure(pane);
+  const ChartFigure figure(pane);
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
@@ -105,7 +105,7 @@ std::optional<FigureFormat> formatOf(const QString& path) {
 }
 
 QImage figureImage(const ChartPane& pane, double scale) {
-  const Figure figure(pane);
+  const ChartFigure figure(pane);
   QImage image((figure.size() * scale).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   image.setDotsPerMeterX(static_cast<int>(kSvgDotsPerInch * scale / 0.0254));

@@ -38,7 +38,7 @@ qreal titleLine() {
 }  // namespace
 
 // Labels, ticks and lines of text hang on the size of the plot, and it on them: three steps do.
-Figure::Figure(const ChartPane& pane)
+ChartFigure::ChartFigure(const ChartPane& pane)
     : size_(kUsualSize), legend_(ChartFrame{}, figureFont(false), kUsualSize.width()) {
   QSizeF plotSize = kUsualSize - QSizeF(100, 110);
   for (int step = 0; step < 3; ++step) {
@@ -54,7 +54,7 @@ Figure::Figure(const ChartPane& pane)
   }
 }
 
-void Figure::layOut(const ChartPane& pane) {
+void ChartFigure::layOut(const ChartPane& pane) {
   const QFont font = figureFont(false);
   const bool known = !layout_.plot.isEmpty();  // from the step before
   const qreal left = known ? layout_.plot.left() : kMargin;
@@ -71,7 +71,7 @@ void Figure::layOut(const ChartPane& pane) {
   layout_ = layoutPlot(frame_, area, font, widths, TitleRoom::Lines);
 }
 
-void Figure::paint(QPainter& painter) const {
+void ChartFigure::paint(QPainter& painter) const {
   const ChartTheme theme = ChartTheme::paper();
   const QFont font = figureFont(false);
   painter.setRenderHint(QPainter::Antialiasing);

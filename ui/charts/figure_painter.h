@@ -15,9 +15,9 @@ namespace rotorbench {
 
 class ChartPane;
 
-class Figure {
+class ChartFigure {
  public:
-  explicit Figure(const ChartPane& pane);
+  explicit ChartFigure(const ChartPane& pane);
   /// In units of which a figure is always equally many wide; both whole numbers.
   [[nodiscard]] QSizeF size() const { return size_; }
   /// Inside the axes.

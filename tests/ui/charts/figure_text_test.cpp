@@ -192,7 +192,7 @@ void FigureTextTest::overlaidRunsWithLongNames() {
   const LongNames sheet(count);
   QCOMPARE(legendNames(sheet.pane()).size(), 2 * count);
   checkFigure(sheet.pane(), folder_.path());
-  const QRectF plot = Figure(sheet.pane()).plot();
+  const QRectF plot = ChartFigure(sheet.pane()).plot();
   QVERIFY2(plot.width() >= 500 && plot.height() >= 300,
            qPrintable(QString("%1 x %2").arg(plot.width()).arg(plot.height())));
 }
