@@ -5,13 +5,17 @@
 #include <cstdio>
 #include <limits>
 
+#include "sim/io/label_width.h"
+
 namespace rotorbench {
 
 namespace {
 
 constexpr std::array<const char*, 7> kColors{"#0072b2", "#d55e00", "#009e73", "#cc79a7",
                                              "#e69f00", "#56b4e9", "#8c8c8c"};
-constexpr double kLeft = 62, kRight = 14, kTop = 30, kBottom = 44, kLegendLine = 17;
+constexpr double kFont = 12, kLine = 17;
+constexpr double kLeastLeft = 62, kRight = 14, kTop = 30, kBottom = 44, kLegendName = 32,
+                 kTickGap = 6;
 
 std::string number(double value, const char* format) {
   std::array<char, 48> text{};
@@ -67,7 +71,58 @@ std::string tickText(const std::vector<double>& ticks, double tick) {
                 ("%." + std::to_string(decimals) + "f").c_str());
 }
 
-std::string axes(const SvgChart& chart, const Scale& x, const Scale& y) {
+/// Lines of text, one below the other from `y` on.
+std::string lines(double x, double y, const char* anchor, const std::vector<std::string>& content,
+                  const std::string& more = {}) {
+  std::string svg;
+  for (const std::string& part : content) {
+    svg += text(x, y, anchor, part, more);
+    y += kLine;
+  }
+  return svg;
+}
+
+/// Where the parts of a chart stand: as much room as its texts take.
+struct Layout {
+  std::vector<std::string> title, xLabel, yLabel;
+  std::vector<std::vector<std::string>> names;  // of the series in the legend
+  Scale x, y;
+  double legendTop = 0, height = 0;
+};
+
+bool inLegend(const SvgSeries& series) {
+  return !series.name.empty() && !series.points.empty();
+}
+
+Layout layOut(const SvgChart& chart) {
+  Layout l;
+  l.title = wrappedLabel(chart.title, chart.width - kLeastLeft - kRight, kFont, true);
+  const double top = kTop + kLine * static_cast<double>(l.title.size() - 1);
+  const double bottom = top - kTop + chart.height - kBottom;
+  l.y = scaleOf(chart, chart.y, 1, bottom, top);
+  l.yLabel = wrappedLabel(chart.y.label, bottom - top, kFont);
+  double tickWidth = 0;
+  for (const double tick : l.y.ticks)
+    tickWidth = std::max(tickWidth, labelWidth(tickText(l.y.ticks, tick), kFont));
+  const double left =
+      std::max(kLeastLeft, kLine * static_cast<double>(l.yLabel.size()) + kTickGap + tickWidth);
+  l.x = scaleOf(chart, chart.x, 0, left, chart.width - kRight);
+  // The last mark stands at the end of the axis and reaches beyond it by its half.
+  const double beyond = labelWidth(tickText(l.x.ticks, l.x.ticks.back()), kFont) / 2;
+  l.x.to = chart.width - std::max(kRight, beyond);
+  l.xLabel = wrappedLabel(chart.x.label, l.x.to - l.x.from, kFont);
+  l.legendTop = bottom + kBottom + 8 + kLine * static_cast<double>(l.xLabel.size() - 1);
+  l.height = l.legendTop - 8;
+  for (const SvgSeries& s : chart.series) {
+    if (!inLegend(s)) continue;
+    l.names.push_back(wrappedLabel(s.name, chart.width - left - kLegendName - kRight, kFont));
+    l.height += kLine * static_cast<double>(l.names.back().size());
+  }
+  return l;
+}
+
+std::string axes(const Layout& l) {
+  const Scale &x = l.x, &y = l.y;
   std::string svg;
   for (const double tick : x.ticks) {
     svg += line(x.at(tick), y.from, x.at(tick), y.to, "grid");
@@ -75,13 +130,16 @@ std::string axes(const SvgChart& chart, const Scale& x, const Scale& y) {
   }
   for (const double tick : y.ticks) {
     svg += line(x.from, y.at(tick), x.to, y.at(tick), "grid");
-    svg += text(x.from - 6, y.at(tick) + 4, "end", tickText(y.ticks, tick));
+    svg += text(x.from - kTickGap, y.at(tick) + 4, "end", tickText(y.ticks, tick));
   }
   svg += line(x.from, y.from, x.to, y.from, "axis") + line(x.from, y.from, x.from, y.to, "axis");
-  svg += text((x.from + x.to) / 2, y.from + 34, "middle", chart.x.label);
+  svg += lines((x.from + x.to) / 2, y.from + 34, "middle", l.xLabel);
   const double middle = (y.from + y.to) / 2;
-  svg += text(14, middle, "middle", chart.y.label,
-              " transform=\"rotate(-90 14 " + pixel(middle) + ")\"");
+  for (std::size_t i = 0; i < l.yLabel.size(); ++i) {
+    const double at = 14 + kLine * static_cast<double>(i);
+    svg += text(at, middle, "middle", l.yLabel[i],
+                " transform=\"rotate(-90 " + pixel(at) + " " + pixel(middle) + ")\"");
+  }
   return svg;
 }
 
@@ -114,18 +172,22 @@ std::string curve(const SvgSeries& series, const Scale& x, const Scale& y) {
          path + "\"/>\n";
 }
 
-/// One line per named series under the plot.
-std::string legend(const std::vector<SvgSeries>& series, double x, double y) {
+/// The named series under the plot, one below the other.
+std::string legend(const std::vector<SvgSeries>& series, const Layout& layout) {
   std::string svg;
+  const double x = layout.x.from;
+  double y = layout.legendTop;
+  auto names = layout.names.begin();
   for (const SvgSeries& s : series) {
-    if (s.name.empty() || s.points.empty()) continue;
+    if (!inLegend(s)) continue;
     SvgSeries sample = s;
     sample.points = s.style == SvgSeries::Style::Points
                         ? std::vector<std::array<double, 2>>{{0.5, 0.5}}
                         : std::vector<std::array<double, 2>>{{0, 0.5}, {1, 0.5}};
     svg += curve(sample, {{0, 1}, x, x + 26}, {{0, 1}, y, y});
-    svg += text(x + 32, y + 4, "start", s.name);
-    y += kLegendLine;
+    svg += lines(x + kLegendName, y + 4, "start", *names);
+    y += kLine * static_cast<double>(names->size());
+    ++names;
   }
   return svg;
 }
@@ -157,23 +219,17 @@ std::vector<double> axisTicks(double least, double greatest, int most) {
 }
 
 std::string svgChart(const SvgChart& chart) {
-  const auto named =
-      std::count_if(chart.series.begin(), chart.series.end(),
-                    [](const SvgSeries& s) { return !s.name.empty() && !s.points.empty(); });
-  const double bottom = chart.height;
-  const double height = bottom + kLegendLine * static_cast<double>(named);
-  const Scale x = scaleOf(chart, chart.x, 0, kLeft, chart.width - kRight);
-  const Scale y = scaleOf(chart, chart.y, 1, bottom - kBottom, kTop);
+  const Layout layout = layOut(chart);
   std::string svg = "<svg class=\"chart\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 " +
-                    pixel(chart.width) + " " + pixel(height) + "\" role=\"img\" aria-label=\"" +
-                    escapedMarkup(chart.title) +
+                    pixel(chart.width) + " " + pixel(layout.height) +
+                    "\" role=\"img\" aria-label=\"" + escapedMarkup(chart.title) +
                     "\" font-family=\"sans-serif\" font-size=\"12\" fill=\"currentColor\">\n";
-  svg += text(kLeft, 17, "start", chart.title, " font-weight=\"600\"");
-  svg += axes(chart, x, y);
+  svg += lines(kLeastLeft, 17, "start", layout.title, " font-weight=\"600\"");
+  svg += axes(layout);
   for (const SvgSeries& series : chart.series) {
-    if (!series.points.empty()) svg += curve(series, x, y);
+    if (!series.points.empty()) svg += curve(series, layout.x, layout.y);
   }
-  return svg + legend(chart.series, kLeft, bottom + 8) + "</svg>\n";
+  return svg + legend(chart.series, layout) + "</svg>\n";
 }
 
 std::string escapedMarkup(const std::string& text) {

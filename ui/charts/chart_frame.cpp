@@ -70,6 +70,22 @@ Span extent(const ChartFrame& frame, std::size_t axis) {
 
 }  // namespace
 
+bool isInView(const FrameCurve& curve, const ChartFrame& frame) {
+  if (curve.hidden) return false;
+  const Span x = frame.x.scale.span, y = frame.y[curve.axis].scale.span;
+  const auto meets = [](Span range, double a, double b) {
+    return std::min(a, b) <= range.high && std::max(a, b) >= range.low;
+  };
+  // A line may cross the view between two points; what passes its corner counts too.
+  for (qsizetype i = 0; i < curve.points.size(); ++i) {
+    const QPointF& point = curve.points[i];
+    const QPointF& next = curve.points[std::min(i + 1, curve.points.size() - 1)];
+    const QPointF& end = std::isfinite(next.y()) && curve.style.line ? next : point;
+    if (meets(x, point.x(), end.x()) && meets(y, point.y(), end.y())) return true;
+  }
+  return false;
+}
+
 ChartFrame FrameBuilder::build(const FrameRequest& request, SummaryCache& summaries,
                                std::size_t& rowBudget) {
   complete_ = true;

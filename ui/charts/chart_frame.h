@@ -45,6 +45,9 @@ struct ChartFrame {
   std::vector<FrameCurve> curves;
 };
 
+/// Whether any part of the curve lies between the axes.
+bool isInView(const FrameCurve& curve, const ChartFrame& frame);
+
 struct FrameRequest {
   const ChartSpec& spec;
   const CurveList& list;

@@ -6,7 +6,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
-#include <QSplitter>
 #include <QStackedLayout>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -23,25 +22,6 @@ namespace {
 constexpr int kFrameMs = 33;
 constexpr int kRefreshBudgetMs = 20;  // the rest of a frame is for painting
 
-/// One column for up to three panes, since time axes are wide; then as square as it gets.
-std::size_t columnsFor(std::size_t panes) {
-  if (panes <= 3) return 1;
-  return panes <= 8 ? 2 : 3;
-}
-
-void shareEvenly(QSplitter* splitter) {
-  QList<int> sizes;
-  for (int i = 0; i < splitter->count(); ++i) sizes += 1000;
-  splitter->setSizes(sizes);
-}
-
-QSplitter* makeSplitter(Qt::Orientation orientation, QWidget* parent) {
-  auto* splitter = new QSplitter(orientation, parent);
-  splitter->setChildrenCollapsible(false);
-  splitter->setHandleWidth(4);
-  return splitter;
-}
-
 }  // namespace
 
 ChartGrid::ChartGrid(RunSet* runs, QWidget* parent) : QWidget(parent), runs_(runs) {
@@ -50,9 +30,9 @@ ChartGrid::ChartGrid(RunSet* runs, QWidget* parent) : QWidget(parent), runs_(run
   setAcceptDrops(true);
   pages_ = new QStackedLayout(this);
   buildEmptyState();
-  column_ = makeSplitter(Qt::Vertical, this);
+  area_ = new PaneArea(this);
   pages_->addWidget(empty_);
-  pages_->addWidget(column_);
+  pages_->addWidget(area_);
   clock_.setInterval(kFrameMs);
   connect(&clock_, &QTimer::timeout, this, &ChartGrid::refresh);
   connect(runs_, &RunSet::changed, this, &ChartGrid::startClock);
@@ -127,14 +107,15 @@ void ChartGrid::setSpecs(const std::vector<ChartSpec>& wanted) {
       panes.push_back(makePane(wanted[i]));
     }
   }
-  if (sameCount) return;
-  Rows rows;
-  const std::size_t columns = columnsFor(panes.size());
-  for (std::size_t i = 0; i < panes.size(); ++i) {
-    if (i % columns == 0) rows.emplace_back();
-    rows.back().push_back(panes[i]);
-  }
-  place(rows);
+  if (!sameCount) place(usualRows(panes));
+}
+
+void ChartGrid::resetView() {
+  maximize(nullptr);
+  link_.reset();
+  for (auto* pane : panes_) pane->resetView();
+  place(usualRows(panes_));
+  setCurrentPane(panes_.empty() ? nullptr : panes_.front());
 }
 
 std::vector<ChartSpec> ChartGrid::specs() const {
@@ -143,27 +124,12 @@ std::vector<ChartSpec> ChartGrid::specs() const {
   return all;
 }
 
-void ChartGrid::place(const Rows& rows) {
+void ChartGrid::place(const PaneRows& rows) {
   rows_ = rows;
   panes_.clear();
-  auto* column = makeSplitter(Qt::Vertical, this);
-  column->setObjectName(QStringLiteral("chartColumn"));
-  for (const auto& row : rows_) {
-    auto* line = makeSplitter(Qt::Horizontal, column);
-    for (auto* pane : row) {
-      line->addWidget(pane);
-      pane->show();
-      panes_.push_back(pane);
-    }
-    column->addWidget(line);
-    shareEvenly(line);
-  }
-  pages_->removeWidget(column_);
-  delete column_;
-  column_ = column;
-  pages_->addWidget(column_);
-  pages_->setCurrentWidget(panes_.empty() ? empty_ : column_);
-  shareEvenly(column_);
+  for (const auto& row : rows_) panes_.insert(panes_.end(), row.begin(), row.end());
+  area_->place(rows_);
+  pages_->setCurrentWidget(panes_.empty() ? empty_ : area_);
   if (!current_ && !panes_.empty()) setCurrentPane(panes_.front());
 }
 
@@ -177,19 +143,20 @@ void ChartGrid::setCurrentPane(ChartPane* pane) {
 ChartPane* ChartGrid::addPane(const ChartSpec& spec) {
   maximize(nullptr);
   auto* pane = makePane(spec);
-  Rows rows = rows_;
-  const std::size_t columns = columnsFor(panes_.size() + 1);
+  PaneRows rows = rows_;
+  const std::size_t columns = usualColumns(panes_.size() + 1);
   if (rows.empty() || rows.back().size() >= columns) rows.emplace_back();
   rows.back().push_back(pane);
   place(rows);
   setCurrentPane(pane);
+  area_->reveal(pane);
   return pane;
 }
 
 ChartPane* ChartGrid::splitPane(ChartPane* pane, Qt::Orientation orientation) {
   maximize(nullptr);
   auto* added = makePane({});
-  Rows rows = rows_;
+  PaneRows rows = rows_;
   for (auto row = rows.begin(); row != rows.end(); ++row) {
     const auto at = std::find(row->begin(), row->end(), pane);
     if (at == row->end()) continue;
@@ -202,12 +169,13 @@ ChartPane* ChartGrid::splitPane(ChartPane* pane, Qt::Orientation orientation) {
   }
   place(rows);
   setCurrentPane(added);
+  area_->reveal(added);
   return added;
 }
 
 void ChartGrid::removePane(ChartPane* pane) {
   maximize(nullptr);
-  Rows rows = rows_;
+  PaneRows rows = rows_;
   for (auto& row : rows) std::erase(row, pane);
   std::erase_if(rows, [](const auto& row) { return row.empty(); });
   if (current_ == pane) current_ = nullptr;
@@ -218,15 +186,8 @@ void ChartGrid::removePane(ChartPane* pane) {
 void ChartGrid::maximize(ChartPane* pane) {
   if (pane == maximized_) return;
   maximized_ = pane;
-  for (std::size_t i = 0; i < rows_.size(); ++i) {
-    const auto& row = rows_[i];
-    for (auto* other : row) {
-      other->setVisible(!pane || other == pane);
-      other->setMaximized(other == pane);
-    }
-    column_->widget(static_cast<int>(i))
-        ->setVisible(!pane || std::find(row.begin(), row.end(), pane) != row.end());
-  }
+  area_->showOnly(pane);
+  for (auto* other : panes_) other->setMaximized(other == pane);
 }
 
 void ChartGrid::addChannels(const QStringList& channels) {
@@ -239,12 +200,17 @@ void ChartGrid::addChannels(const QStringList& channels) {
 }
 
 void ChartGrid::refresh() {
+  const bool growing =
+      runs_->growing();  // asked first: the end of a run is seen below or at the next turn
   double newest = -std::numeric_limits<double>::infinity();
   for (const auto& run : runs_->runs()) {
     const std::size_t rows = run.recording->rows();
     if (run.visible && rows > 0) newest = std::max(newest, run.recording->value(0, rows - 1));
   }
   if (std::isfinite(newest)) link_.newestTime(newest);
+  for (const auto& recording : arrivals_.take(*runs_)) {
+    for (auto* pane : panes_) pane->bringIn(*recording);
+  }
   // In turn, so that a slow pane does not starve the others.
   QElapsedTimer elapsed;
   elapsed.start();
@@ -254,7 +220,7 @@ void ChartGrid::refresh() {
     ChartPane* pane = panes_[nextToRefresh_++ % panes_.size()];
     if (pane->isVisible()) drawn = pane->refresh(rowBudget) || drawn;
   }
-  if (!drawn && !runs_->growing()) clock_.stop();
+  if (!drawn && !growing) clock_.stop();
 }
 
 void ChartGrid::startClock() {

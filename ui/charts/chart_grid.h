@@ -10,9 +10,10 @@
 
 #include "sim/experiment/chart_spec.h"
 #include "ui/charts/chart_link.h"
+#include "ui/charts/pane_area.h"
+#include "ui/charts/run_arrivals.h"
 #include "ui/charts/run_set.h"
 
-class QSplitter;
 class QStackedLayout;
 
 namespace rotorbench {
@@ -30,6 +31,8 @@ class ChartGrid : public QWidget {
   /// Shows these charts; panes that are already there keep their zoom and hidden curves.
   void setSpecs(const std::vector<ChartSpec>& specs);
   [[nodiscard]] std::vector<ChartSpec> specs() const;
+  /// As a document begins: all fitted, nothing hidden, no cursors, panes where they are at first.
+  void resetView();
 
   [[nodiscard]] const std::vector<ChartPane*>& panes() const { return panes_; }
   /// The pane that takes channels from the signal tree; null without panes.
@@ -68,23 +71,22 @@ class ChartGrid : public QWidget {
   void dropEvent(QDropEvent* event) override;
 
  private:
-  using Rows = std::vector<std::vector<ChartPane*>>;
-
   void buildEmptyState();
   ChartPane* makePane(const ChartSpec& spec);
-  void place(const Rows& rows);
+  void place(const PaneRows& rows);
   void startClock();
   void setEdited();
 
   RunSet* runs_;
   ChartLink link_;
   std::vector<ChartPane*> panes_;
-  Rows rows_;
+  PaneRows rows_;
   ChartPane* current_ = nullptr;
   ChartPane* maximized_ = nullptr;
   QStackedLayout* pages_;
   QWidget* empty_;
-  QSplitter* column_;
+  PaneArea* area_;
+  RunArrivals arrivals_;
   QTimer clock_;
   std::size_t nextToRefresh_ = 0;
 };

@@ -19,6 +19,13 @@ void ChartLink::newestTime(double time) {
   setTimeRange(Span{time - timeRange_->width(), time});
 }
 
+void ChartLink::reset() {
+  setFollows(false);
+  setTimeRange(std::nullopt);
+  setCursor(Cursor::A, std::nullopt);
+  setCursor(Cursor::B, std::nullopt);
+}
+
 std::optional<double> ChartLink::cursor(Cursor which) const {
   return which == Cursor::A ? a_ : b_;
 }

@@ -25,6 +25,8 @@ class ChartLink : public QObject {
   [[nodiscard]] bool follows() const { return follows_; }
   void setFollows(bool follows);
   void newestTime(double time);
+  /// As at first: the whole time, not following, no cursors.
+  void reset();
 
   [[nodiscard]] std::optional<double> cursor(Cursor which) const;
   /// Moves, sets or removes a cursor without telling others that a person did it.

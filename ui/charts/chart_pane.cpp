@@ -16,9 +16,8 @@
 namespace rotorbench {
 namespace {
 
-constexpr int kGesturePauseMs = 700;  // a longer pause starts a new step of the zoom history
-constexpr std::size_t kMostHistory = 50;
 constexpr double kLegendShare = 0.35;
+constexpr int kLeastHeightOverLegend = 250;
 constexpr int kLowPane = 280;           // px; below this the legend stands beside the plot,
 constexpr double kLegendColumns = 1.5;  // if the pane is this much wider than high
 
@@ -161,61 +160,6 @@ ChartFrame ChartPane::frameFor(QSizeF plotSize, double pixelRatio, const QLocale
                        budget);
 }
 
-ChartView ChartPane::view() const {
-  return {spec_.kind == ChartKind::Time ? link_->timeRange() : x_, y_};
-}
-
-void ChartPane::setView(const ChartView& view) {
-  if (spec_.kind == ChartKind::Time) {
-    link_->setTimeRange(view.x);
-  } else {
-    x_ = view.x;
-  }
-  y_ = view.y;
-  markStale();
-}
-
-void ChartPane::viewChosen(const ChartView& chosen, bool continuous) {
-  const ChartView before = this->view();
-  if (chosen == before) return;
-  const bool goesOn =
-      continuous && gestureClock_.isValid() && gestureClock_.elapsed() < kGesturePauseMs;
-  if (!goesOn) history_.push_back(before);
-  if (history_.size() > kMostHistory) history_.erase(history_.begin());
-  if (continuous) {
-    gestureClock_.restart();
-  } else {
-    gestureClock_.invalidate();
-  }
-  // Zooming by the wheel keeps following; another place in time does not.
-  const bool sameWidth =
-      chosen.x && before.x && std::abs(chosen.x->width() / before.x->width() - 1) < 1e-9;
-  if (chosen.x != before.x && (!continuous || sameWidth)) link_->setFollows(false);
-  setView(chosen);
-}
-
-void ChartPane::fit() {
-  const ChartView before = this->view();
-  if (before == ChartView{}) return;
-  history_.push_back(before);
-  gestureClock_.invalidate();
-  setView({});
-}
-
-bool ChartPane::back() {
-  gestureClock_.invalidate();
-  if (!history_.empty()) {
-    const ChartView before = history_.back();
-    history_.pop_back();
-    setView(before);
-    return true;
-  }
-  // The time was zoomed from another chart.
-  if (spec_.kind != ChartKind::Time || !link_->timeRange()) return false;
-  link_->setTimeRange(std::nullopt);
-  return true;
-}
-
 std::vector<PlotWidget::Ring> ChartPane::rings() const {
   std::vector<PlotWidget::Ring> rings;
   if (spec_.kind != ChartKind::XY) return rings;
@@ -245,6 +189,8 @@ void ChartPane::resizeEvent(QResizeEvent* event) {
 
 /// In a low, wide pane the legend stands beside the plot, which needs the height.
 void ChartPane::placeLegend() {
+  const bool wide = width() > kLegendColumns * kLeastHeight;
+  setMinimumHeight(wide ? kLeastHeight : kLeastHeightOverLegend);
   const bool beside = height() < kLowPane && width() > kLegendColumns * height();
   content_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   legend_->setMostWidth(beside ? std::clamp(width() * 9 / 20, 120, 260) : 0);

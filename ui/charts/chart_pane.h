@@ -30,6 +30,8 @@ class ChartPane : public QFrame {
   /// Rows one refresh reads that were not read before: keeps a refresh short when a long recording
   /// is opened.
   static constexpr std::size_t kRowsPerRefresh = 1'000'000;
+  /// Below this the ticks of an axis cannot be read, in px.
+  static constexpr int kLeastWidth = 200, kLeastHeight = 190;
 
   /// `runs` and `link` are shared with other panes and outlive this one.
   ChartPane(RunSet* runs, ChartLink* link, QWidget* parent = nullptr);
@@ -48,6 +50,10 @@ class ChartPane : public QFrame {
   [[nodiscard]] ChartView view() const;
   void setView(const ChartView& view);
   void fit();
+  /// Forgets all of the view: zoom, its history and which curves are hidden.
+  void resetView();
+  /// Changes the view if nothing of a run that has come is seen in it; back() undoes that.
+  void bringIn(const Recording& recording);
   /// Undoes the last zoom or pan; false if there is none.
   bool back();
 
@@ -96,6 +102,7 @@ class ChartPane : public QFrame {
   void viewChosen(const ChartView& view, bool continuous);
   void markStale();
   [[nodiscard]] std::size_t publishedRows() const;
+  [[nodiscard]] bool sees(const Recording& recording, const ChartView& view) const;
   [[nodiscard]] std::vector<PlotWidget::Ring> rings() const;
 
   RunSet* runs_;

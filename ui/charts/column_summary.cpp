@@ -84,7 +84,8 @@ void ColumnSummary::addBlock(const Extremes& block, std::size_t level) {
 
 std::size_t ColumnSummary::extend(std::size_t mostRows) {
   const std::size_t before = rows_;
-  const std::size_t goal = std::min(recording_->rows(), rows_ + mostRows);
+  // `mostRows` may be the largest number there is.
+  const std::size_t goal = rows_ + std::min(recording_->rows() - rows_, mostRows);
   std::size_t row = levels_.empty() ? 0 : levels_[0].size() * kBlockRows;
   for (; row + kBlockRows <= goal; row += kBlockRows) addBlock(scan(row, row + kBlockRows), 0);
   rows_ = goal;

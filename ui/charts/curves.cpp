@@ -140,6 +140,11 @@ void HiddenCurves::toggle(const Curve& curve, const std::vector<Curve>& curves) 
   }
 }
 
+void HiddenCurves::clear() {
+  channels_.clear();
+  runChannels_.clear();
+}
+
 CurveList chartCurves(const ChartSpec& spec, const RunSet& runs, const HiddenCurves& hidden) {
   CurveList list;
   for (const auto& run : runs.runs()) {

@@ -35,6 +35,7 @@ class HiddenCurves {
   [[nodiscard]] bool contains(const Curve& curve) const;
   /// `curves` are all curves of the chart.
   void toggle(const Curve& curve, const std::vector<Curve>& curves);
+  void clear();
 
  private:
   QSet<QString> channels_;

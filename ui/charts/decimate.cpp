@@ -139,7 +139,7 @@ std::size_t XyTrace::update(const Recording& recording, std::size_t xChannel, st
                             std::size_t mostRows) {
   restartIfChanged(x, y, widthPx, heightPx);
   const std::size_t before = rows_;
-  const std::size_t goal = std::min(recording.rows(), rows_ + mostRows);
+  const std::size_t goal = rows_ + std::min(recording.rows() - rows_, mostRows);
   const double columns = widthPx / cell_;
   const double lines = heightPx / cell_;
   while (rows_ < goal) {

@@ -20,7 +20,6 @@
 namespace rotorbench {
 namespace {
 
-constexpr QSizeF kFigure{840, 520};
 constexpr double kPngScale = 3;
 /// 170 mm: the text width of an A4 page.
 constexpr double kPdfWidthMm = 170;
@@ -46,33 +45,36 @@ QString titleOf(const ChartPane& pane) {
 }
 
 QByteArray svgBytes(const ChartPane& pane) {
+  const ChartFigure figure(pane);
   QByteArray bytes;
   QBuffer buffer(&bytes);
   QSvgGenerator generator;
   generator.setOutputDevice(&buffer);
   generator.setResolution(static_cast<int>(kSvgDotsPerInch));
-  generator.setSize(kFigure.toSize());
-  generator.setViewBox(QRectF({0, 0}, kFigure));
+  generator.setSize(figure.size().toSize());
+  generator.setViewBox(QRectF({0, 0}, figure.size()));
   generator.setTitle(titleOf(pane));
   QPainter painter(&generator);
-  paintFigure(painter, pane, kFigure);
+  figure.paint(painter);
   painter.end();
   return bytes;
 }
 
 QByteArray pdfBytes(const ChartPane& pane) {
+  const ChartFigure figure(pane);
   QByteArray bytes;
   QBuffer buffer(&bytes);
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
   writer.setTitle(titleOf(pane));
   writer.setCreator(QStringLiteral("Rotorbench"));
-  const QSizeF page(kPdfWidthMm, kPdfWidthMm * kFigure.height() / kFigure.width());
-  writer.setPageSize(QPageSize(page, QPageSize::Millimeter));
+  const QSizeF page(kPdfWidthMm, kPdfWidthMm * figure.size().height() / figure.size().width());
+  writer.setPageSize(QPageSize(page, QPageSize::Millimeter, {}, QPageSize::ExactMatch));
   writer.setPageMargins({});
   QPainter painter(&writer);
-  painter.scale(writer.width() / kFigure.width(), writer.width() / kFigure.width());
-  paintFigure(painter, pane, kFigure);
+  const double scale = writer.width() / figure.size().width();
+  painter.scale(scale, scale);
+  figure.paint(painter);
   painter.end();
   return bytes;
 }
@@ -103,13 +105,14 @@ std::optional<FigureFormat> formatOf(const QString& path) {
 }
 
 QImage figureImage(const ChartPane& pane, double scale) {
-  QImage image((kFigure * scale).toSize(), QImage::Format_RGB32);
+  const ChartFigure figure(pane);
+  QImage image((figure.size() * scale).toSize(), QImage::Format_RGB32);
   image.fill(Qt::white);
   image.setDotsPerMeterX(static_cast<int>(kSvgDotsPerInch * scale / 0.0254));
   image.setDotsPerMeterY(image.dotsPerMeterX());
   QPainter painter(&image);
   painter.scale(scale, scale);
-  paintFigure(painter, pane, kFigure);
+  figure.paint(painter);
   return image;
 }
 

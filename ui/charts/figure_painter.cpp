@@ -2,109 +2,95 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/curve_layer.h"
-#include "ui/charts/plot_painter.h"
+#include "ui/charts/wrapped_text.h"
 
 namespace rotorbench {
 namespace {
 
+constexpr QSizeF kUsualSize{840, 520};
+constexpr qreal kLeastPlotHeight = 300;
+constexpr qreal kLeastArea = kLeastPlotHeight + 60;  // with labels and title of the horizontal axis
 constexpr qreal kMargin = 12;
-constexpr qreal kSample = 32;
-constexpr qreal kBetween = 18;
+constexpr qreal kLegendGap = 4;
+constexpr qreal kTitleLine = 1.4;  // of the height of the font
 constexpr qreal kLineWidth = 1.5;
 constexpr int kFontPixels = 13;
 constexpr double kColumnsPerPixel = 2;
 
+/// Without hinting a text is equally wide on the screen, at any scale, and on the page.
 QFont figureFont(bool bold) {
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setStyleHint(QFont::SansSerif);
+  font.setHintingPreference(QFont::PreferNoHinting);
   font.setPixelSize(kFontPixels);
   font.setBold(bold);
   return font;
 }
 
-struct PlacedEntry {
-  const FrameCurve* curve;
-  QPointF at;  ///< left end of the sample, middle of the row
-};
-
-/// Shown curves in rows of the given width, from (0, 0) down; `height` is set to what they take.
-std::vector<PlacedEntry> placeLegend(const ChartFrame& frame, qreal width,
-                                     const QFontMetricsF& metrics, qreal& height) {
-  std::vector<PlacedEntry> placed;
-  QPointF at(0, metrics.height() / 2);
-  for (const auto& curve : frame.curves) {
-    if (curve.hidden) continue;
-    const qreal wanted = kSample + kBetween + metrics.horizontalAdvance(curve.label);
-    if (at.x() > 0 && at.x() + wanted > width) at = {0, at.y() + metrics.height()};
-    placed.push_back({&curve, at});
-    at.rx() += wanted;
-  }
-  height = placed.empty() ? 0 : at.y() + metrics.height() / 2;
-  return placed;
-}
-
-void paintLegend(QPainter& painter, const std::vector<PlacedEntry>& entries, QPointF origin,
-                 const QFont& font) {
-  const ChartTheme theme = ChartTheme::paper();
-  const QFontMetricsF metrics(font);
-  painter.setFont(font);
-  for (const auto& entry : entries) {
-    const QPointF at = origin + entry.at;
-    painter.setPen(curvePen(entry.curve->style, theme, kLineWidth));
-    painter.drawLine(at, at + QPointF(kSample - 6, 0));
-    if (entry.curve->style.markers || entry.curve->points.size() == 1) {
-      painter.setPen(Qt::NoPen);
-      painter.setBrush(theme.readable(entry.curve->style.color));
-      painter.drawEllipse(at + QPointF((kSample - 6) / 2, 0), 3, 3);
-    }
-    painter.setPen(theme.text);
-    painter.drawText(at + QPointF(kSample, metrics.capHeight() / 2), entry.curve->label);
-  }
+qreal titleLine() {
+  return kTitleLine * QFontMetricsF(figureFont(true)).height();
 }
 
 }  // namespace
 
-void paintFigure(QPainter& painter, const ChartPane& pane, QSizeF size) {
+// Labels, ticks and lines of text hang on the size of the plot, and it on them: three steps do.
+ChartFigure::ChartFigure(const ChartPane& pane)
+    : size_(kUsualSize), legend_(ChartFrame{}, figureFont(false), kUsualSize.width()) {
+  QSizeF plotSize = kUsualSize - QSizeF(100, 110);
+  for (int step = 0; step < 3; ++step) {
+    frame_ = pane.frameFor(plotSize, kColumnsPerPixel, QLocale::c());
+    layOut(pane);
+    layOut(pane);  // now that the width of the plot is known
+    if (const qreal missing = kLeastPlotHeight - layout_.plot.height(); missing > 0) {
+      size_.rheight() = std::ceil(size_.height() + missing);
+      layOut(pane);
+    }
+    if (plotSize == layout_.plot.size()) break;
+    plotSize = layout_.plot.size();
+  }
+}
+
+void ChartFigure::layOut(const ChartPane& pane) {
+  const QFont font = figureFont(false);
+  const bool known = !layout_.plot.isEmpty();  // from the step before
+  const qreal left = known ? layout_.plot.left() : kMargin;
+  const qreal width = known ? layout_.plot.width() : kUsualSize.width() - 2 * kMargin;
+  const QString title = QString::fromStdString(pane.spec().title);
+  title_ = title.isEmpty() ? QStringList() : wrappedText(title, figureFont(true), width);
+  legend_ = FigureLegend(frame_, font, size_.width() - kMargin - left);
+  const qreal top = kMargin + static_cast<qreal>(title_.size()) * titleLine();
+  const qreal bottom = kMargin + (legend_.height() > 0 ? kLegendGap + legend_.height() : 0);
+  // The plot keeps its height, whatever stands above and below it.
+  size_.rheight() = std::ceil(std::max(size_.height(), top + bottom + kLeastArea));
+  const QRectF area(kMargin, top, size_.width() - 2 * kMargin, size_.height() - top - bottom);
+  LabelWidths widths;
+  layout_ = layoutPlot(frame_, area, font, widths, TitleRoom::Lines);
+}
+
+void ChartFigure::paint(QPainter& painter) const {
   const ChartTheme theme = ChartTheme::paper();
   const QFont font = figureFont(false);
-  const QFontMetricsF metrics(font);
-  const QString title = QString::fromStdString(pane.spec().title);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(QRectF({0, 0}, size), theme.ground);
-
-  // Labels and ticks hang on the size of the plot and the other way round: two steps settle it.
-  QSizeF plotSize = size - QSizeF(100, 110);
-  ChartFrame frame;
-  PlotLayout layout;
-  std::vector<PlacedEntry> legend;
-  const qreal top = kMargin + (title.isEmpty() ? 0 : metrics.height() * 1.4);
-  QRectF area;
-  for (int step = 0; step < 2; ++step) {
-    frame = pane.frameFor(plotSize, kColumnsPerPixel, QLocale::c());
-    qreal legendHeight = 0;
-    legend = placeLegend(frame, size.width() - 2 * kMargin, metrics, legendHeight);
-    area = QRectF(kMargin, top, size.width() - 2 * kMargin,
-                  size.height() - top - kMargin - legendHeight - 4);
-    LabelWidths widths;
-    layout = layoutPlot(frame, area, font, widths);
-    plotSize = layout.plot.size();
+  painter.fillRect(QRectF({0, 0}, size_), theme.ground);
+  painter.setFont(figureFont(true));
+  painter.setPen(theme.text);
+  QRectF row(layout_.plot.left(), kMargin, layout_.plot.width(), titleLine());
+  for (const QString& line : title_) {
+    painter.drawText(row, Qt::AlignHCenter | Qt::AlignTop, line);
+    row.translate(0, titleLine());
   }
-  if (!title.isEmpty()) {
-    painter.setFont(figureFont(true));
-    painter.setPen(theme.text);
-    const QRectF row(layout.plot.left(), kMargin, layout.plot.width(), metrics.height() * 1.4);
-    painter.drawText(row, Qt::AlignHCenter | Qt::AlignTop, title);
-  }
-  paintGround(painter, frame, layout, theme);
+  paintGround(painter, frame_, layout_, theme);
   CurveLayer curves;
-  curves.setFrame(frame, plotSize, theme, kLineWidth);
-  curves.paint(painter, layout.plot);
+  curves.setFrame(frame_, layout_.plot.size(), theme, kLineWidth);
+  curves.paint(painter, layout_.plot);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintAxes(painter, frame, layout, theme, font);
-  paintLegend(painter, legend, QPointF(layout.plot.left(), area.bottom() + 4), font);
+  paintAxes(painter, frame_, layout_, theme, font);
+  legend_.paint(painter, {layout_.plot.left(), size_.height() - kMargin - legend_.height()},
+                kLineWidth);
 }
 
 }  // namespace rotorbench

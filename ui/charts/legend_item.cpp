@@ -3,9 +3,10 @@
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QPainter>
-#include <QTextLayout>
 #include <algorithm>
 #include <cmath>
+
+#include "ui/charts/wrapped_text.h"
 
 namespace rotorbench {
 namespace {
@@ -74,23 +75,7 @@ int LegendItem::heightOf(const LegendPlace& place) const {
 }
 
 QStringList LegendItem::wrapped(const QString& name, int width) const {
-  const int room = width - kSample - 2 * kPadding;
-  // Names of channels are broken at their dots, if anywhere.
-  constexpr QChar kMayBreak(0x200b);
-  QString breakable = name;
-  breakable.replace(u'.', QString(u'.') + kMayBreak);
-  QTextLayout layout(breakable, font());
-  QTextOption option;
-  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
-  layout.setTextOption(option);
-  QStringList lines;
-  layout.beginLayout();
-  for (QTextLine line = layout.createLine(); line.isValid(); line = layout.createLine()) {
-    line.setLineWidth(std::max(1, room));
-    lines << breakable.mid(line.textStart(), line.textLength()).remove(kMayBreak).trimmed();
-  }
-  layout.endLayout();
-  return lines;
+  return wrappedText(name, font(), width - kSample - 2 * kPadding);
 }
 
 void LegendItem::paintSample(QPainter& painter, const ChartTheme& theme) const {

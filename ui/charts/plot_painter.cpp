@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/charts/wrapped_text.h"
+
 namespace rotorbench {
 namespace {
 
@@ -39,6 +41,50 @@ qreal labelWidth(const FrameAxis& axis, const QFontMetricsF& metrics) {
   return std::ceil(width);
 }
 
+qreal stripWidth(std::size_t axis, const PlotLayout& layout, const LabelWidths& widths,
+                 const QFontMetricsF& metrics) {
+  const auto lines = std::max<qsizetype>(1, layout.yTitles[axis].size());
+  return kTick + kGap + widths[axis] + kGap + static_cast<qreal>(lines) * metrics.height();
+}
+
+/// An outer axis keeps its distance from the title of the inner one.
+qreal distanceBefore(std::size_t axis) {
+  return axis >= 2 ? kOuter : 0;
+}
+
+/// What the strips, with the lines of the titles they hold, leave of the area.
+QRectF plotRect(const QRectF& area, const PlotLayout& layout, const LabelWidths& widths,
+                const QFontMetricsF& metrics) {
+  qreal left = kOuter;
+  qreal right = kOuter;
+  for (std::size_t i = 0; i < widths.size(); ++i)
+    (isLeft(i) ? left : right) += stripWidth(i, layout, widths, metrics) + distanceBefore(i);
+  if (widths.empty()) left += kTick + metrics.horizontalAdvance(kLeastLabel);
+  if (widths.size() < 2) right += metrics.horizontalAdvance(kLeastLabel) / 2;
+  const qreal xTitle =
+      metrics.height() * static_cast<qreal>(std::max<qsizetype>(1, layout.xTitle.size()));
+  const qreal bottom = kTick + kGap + metrics.height() + kGap + xTitle + kGap;
+  const qreal top = std::ceil(metrics.height() / 2);
+  return {area.left() + std::round(left), area.top() + std::round(top),
+          std::max(10.0, std::floor(area.width() - std::round(left) - right)),
+          std::max(10.0, std::floor(area.height() - std::round(top) - bottom))};
+}
+
+void placeStrips(const QRectF& area, const LabelWidths& widths, const QFontMetricsF& metrics,
+                 PlotLayout& layout) {
+  const QRectF& plot = layout.plot;
+  layout.xStrip =
+      QRectF(area.left(), plot.bottom(), area.width(), area.bottom() - kGap - plot.bottom());
+  qreal fromLeft = plot.left();
+  qreal fromRight = plot.right();
+  for (std::size_t i = 0; i < widths.size(); ++i) {
+    const qreal width = stripWidth(i, layout, widths, metrics);
+    const qreal taken = width + distanceBefore(i);
+    const qreal x = isLeft(i) ? (fromLeft -= taken) : (fromRight += taken) - width;
+    layout.yStrips.emplace_back(x, plot.top(), width, plot.height());
+  }
+}
+
 void paintXAxis(QPainter& painter, const ChartFrame& frame, const PlotLayout& layout,
                 const ChartTheme& theme, const QFontMetricsF& metrics) {
   const QRectF& plot = layout.plot;
@@ -55,11 +101,12 @@ void paintXAxis(QPainter& painter, const ChartFrame& frame, const PlotLayout& la
     freeFrom = x + width / 2 + metrics.averageCharWidth();
   }
   painter.setPen(theme.text);
-  const QRectF title(layout.xStrip.left(), layout.xStrip.bottom() - metrics.height(),
-                     layout.xStrip.width(), metrics.height());
-  const QRectF centred(plot.left(), title.top(), plot.width(), title.height());
-  painter.drawText(centred, Qt::AlignCenter,
-                   metrics.elidedText(frame.x.title, Qt::ElideRight, plot.width()));
+  const qreal height = metrics.height() * static_cast<qreal>(layout.xTitle.size());
+  QRectF line(plot.left(), layout.xStrip.bottom() - height, plot.width(), metrics.height());
+  for (const QString& part : layout.xTitle) {
+    painter.drawText(line, Qt::AlignCenter, part);
+    line.translate(0, metrics.height());
+  }
 }
 
 void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index,
@@ -85,12 +132,15 @@ void paintYAxis(QPainter& painter, const FrameAxis& axis, std::size_t index,
     painter.drawText(QPointF(x, baseline), tick.label);
   }
   painter.save();
-  painter.translate(
-      left ? strip.left() + metrics.height() / 2 : strip.right() - metrics.height() / 2,
-      plot.center().y());
+  // Turned by a quarter, so that lines go on from left to right of the picture.
+  const qreal height = metrics.height() * static_cast<qreal>(layout.yTitles[index].size());
+  painter.translate(left ? strip.left() : strip.right() - height, plot.center().y());
   painter.rotate(-90);
-  const QRectF title(-plot.height() / 2, -metrics.height() / 2, plot.height(), metrics.height());
-  painter.drawText(title, Qt::AlignCenter, fitted(axis.title, metrics, plot.height()));
+  QRectF line(-plot.height() / 2, 0, plot.height(), metrics.height());
+  for (const QString& part : layout.yTitles[index]) {
+    painter.drawText(line, Qt::AlignCenter, part);
+    line.translate(0, metrics.height());
+  }
   painter.restore();
 }
 
@@ -104,37 +154,29 @@ int PlotLayout::yAxisAt(QPointF point) const {
 }
 
 PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font,
-                      LabelWidths& widths) {
+                      LabelWidths& widths, TitleRoom titles) {
   const QFontMetricsF metrics(font);
   widths.resize(frame.y.size(), 0);
-  qreal left = kOuter;
-  qreal right = kOuter;
-  std::vector<qreal> stripWidths;
-  for (std::size_t i = 0; i < frame.y.size(); ++i) {
+  for (std::size_t i = 0; i < frame.y.size(); ++i)
     widths[i] = std::max(widths[i], labelWidth(frame.y[i], metrics));
-    const qreal apart = i >= 2 ? kOuter : 0;
-    stripWidths.push_back(kTick + kGap + widths[i] + kGap + metrics.height() + apart);
-    (isLeft(i) ? left : right) += stripWidths.back();
-  }
-  if (frame.y.empty()) left += kTick + metrics.horizontalAdvance(kLeastLabel);
-  if (frame.y.size() < 2) right += metrics.horizontalAdvance(kLeastLabel) / 2;
-  const qreal bottom = kTick + kGap + metrics.height() + kGap + metrics.height() + kGap;
-  const qreal top = std::ceil(metrics.height() / 2);
   PlotLayout layout;
-  layout.plot = QRectF(area.left() + std::round(left), area.top() + std::round(top),
-                       std::max(10.0, std::floor(area.width() - std::round(left) - right)),
-                       std::max(10.0, std::floor(area.height() - std::round(top) - bottom)));
-  layout.xStrip = QRectF(area.left(), layout.plot.bottom(), area.width(),
-                         area.bottom() - kGap - layout.plot.bottom());
-  qreal fromLeft = layout.plot.left();
-  qreal fromRight = layout.plot.right();
-  for (std::size_t i = 0; i < frame.y.size(); ++i) {
-    // An outer axis keeps its distance from the title of the inner one.
-    const qreal apart = i >= 2 ? kOuter : 0;
-    const qreal width = stripWidths[i] - apart;
-    const qreal x = isLeft(i) ? (fromLeft -= width + apart) : (fromRight += width + apart) - width;
-    layout.yStrips.emplace_back(x, layout.plot.top(), width, layout.plot.height());
+  layout.xTitle = {QString()};
+  layout.yTitles.assign(frame.y.size(), {QString()});
+  layout.plot = plotRect(area, layout, widths, metrics);
+  if (titles == TitleRoom::OneLine) {
+    layout.xTitle = {metrics.elidedText(frame.x.title, Qt::ElideRight, layout.plot.width())};
+    for (std::size_t i = 0; i < frame.y.size(); ++i)
+      layout.yTitles[i] = {fitted(frame.y[i].title, metrics, layout.plot.height())};
+  } else {
+    // Lines of one axis shorten the other: the second step sees those of the first.
+    for (int step = 0; step < 2; ++step) {
+      layout.xTitle = wrappedText(frame.x.title, font, layout.plot.width());
+      for (std::size_t i = 0; i < frame.y.size(); ++i)
+        layout.yTitles[i] = wrappedText(frame.y[i].title, font, layout.plot.height());
+      layout.plot = plotRect(area, layout, widths, metrics);
+    }
   }
+  placeStrips(area, widths, metrics, layout);
   return layout;
 }
 

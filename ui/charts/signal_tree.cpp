@@ -181,6 +181,14 @@ void SignalTree::filter(const QString& text) {
   expandRemembered();
 }
 
+void SignalTree::resetView() {
+  expanded_.clear();
+  search_->clear();
+  view_->setCurrentIndex({});
+  view_->clearSelection();
+  expandRemembered();
+}
+
 QStringList SignalTree::selectedChannels() const {
   return channelsOf(view_->selectionModel()->selectedRows());
 }

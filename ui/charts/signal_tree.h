@@ -28,6 +28,8 @@ class SignalTree : public QWidget {
   [[nodiscard]] QLineEdit* search() const { return search_; }
   /// Selected channels; a group stands for all channels in it.
   [[nodiscard]] QStringList selectedChannels() const;
+  /// As a document begins: no search, nothing selected, groups closed.
+  void resetView();
 
  signals:
   /// By double click or Enter.

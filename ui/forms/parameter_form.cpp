@@ -31,6 +31,7 @@ ParameterForm::ParameterForm(const FormContext& context, QWidget* parent)
   connect(model, &DocumentModel::problemsChanged, this, &ParameterForm::showProblems);
   connect(model, &DocumentModel::documentReplaced, this, [this] {
     section_.clear();
+    opened_.clear();
     rebuild();
   });
   connect(context.units, &UnitPreferences::changed, this, [this] {

@@ -95,6 +95,11 @@ void RunsPanel::select(int id) {
   view_->setCurrentIndex(runs_.index(runs_.rowOf(id)));
 }
 
+void RunsPanel::clearSelection() {
+  view_->clearSelection();
+  view_->setCurrentIndex({});
+}
+
 void RunsPanel::updateActions() {
   pages_->setCurrentIndex(runs_.records().empty() ? 0 : 1);
   const auto ids = selection();

@@ -21,6 +21,7 @@ class RunsPanel : public QWidget {
   /// Ids of the selected runs, from top to bottom.
   [[nodiscard]] std::vector<int> selection() const;
   void select(int id);
+  void clearSelection();
 
  signals:
   /// The user wants this run's experiment in the editor.

@@ -148,6 +148,14 @@ void ScenePanel::followLive(bool follow) {
   playback_->setFollowing(follow);
 }
 
+void ScenePanel::resetView() {
+  view_->setCameraMode(CameraMode::Orbit);
+  view_->resetCamera();
+  playback_->setPlaying(false);
+  playback_->setLooping(false);
+  playback_->setSpeed(1);
+}
+
 QImage ScenePanel::snapshot(const QSize& size) {
   updateRange();
   return view_->renderToImage(size);

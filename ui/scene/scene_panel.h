@@ -35,6 +35,8 @@ class ScenePanel : public QWidget {
   void setTime(double time);
   /// Keeps the newest sample in view while the run goes on.
   void followLive(bool follow);
+  /// As a document begins: the first of the cameras where it is at first, played at real time.
+  void resetView();
   /// The view as a picture of this size in pixels, with its writing; works hidden and without
   /// OpenGL.
   [[nodiscard]] QImage snapshot(const QSize& size);

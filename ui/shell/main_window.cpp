@@ -8,6 +8,7 @@
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QScreen>
 #include <QSettings>
 #include <QShortcut>
 #include <QStackedWidget>
@@ -25,6 +26,7 @@
 #include "ui/shell/log_panel.h"
 #include "ui/shell/run_desk.h"
 #include "ui/shell/schema_types.h"
+#include "ui/shell/screen_fit.h"
 #include "ui/shell/status_bar.h"
 #include "ui/shell/theme.h"
 #include "ui/shell/tools.h"
@@ -37,6 +39,7 @@ namespace {
 constexpr auto kGeometryKey = "window/geometry";
 constexpr auto kThemeKey = "window/theme";
 constexpr int kMessageMilliseconds = 8000;
+constexpr QSize kUsualSize{1440, 900};
 
 /// By the ending; whatever else is dropped is taken for an experiment.
 bool isMeasuredData(const QString& file) {
@@ -78,8 +81,11 @@ MainWindow::MainWindow(RunController::Builder builder, QWidget* parent)
   connectTools();
   connectViewActions();
   connectHelpActions();
-  resize(1440, 900);
+  resize(fittedSize(kUsualSize, screen()->availableSize()));
+  new ScreenFit(this);
   restoreGeometry(QSettings().value(kGeometryKey).toByteArray());
+  // It may have been saved on a larger screen.
+  if (!isMaximized() && !isFullScreen()) resize(fittedSize(size(), screen()->availableSize()));
   showGallery();
   updateTitle();
   updateRunActions();
@@ -152,7 +158,7 @@ void MainWindow::connectRunActions() {
   connect(&controller_, &RunController::stateChanged, this, &MainWindow::updateRunActions);
   connect(&documents_, &DocumentController::opened, this, &MainWindow::updateRunActions);
   connect(&controller_, &RunController::updated, this,
-          [this] { status_->showRun(controller_.status()); });
+          [this] { status_->showRun(desk_->status()); });
 }
 
 void MainWindow::connectTools() {
@@ -261,7 +267,7 @@ void MainWindow::updateRunActions() {
   actions_.stop->setEnabled(bench && active);
   actions_.pace->setEnabled(bench && RunDesk::isPaced(documents_.experiment()));
   actions_.exportFigures->setEnabled(bench);
-  status_->showRun(controller_.status());
+  status_->showRun(desk_->status());
 }
 
 void MainWindow::chooseTheme(const QString& key) {

@@ -79,6 +79,10 @@ void RunDesk::setPace(Pace pace) {
   if (isPaced(documents_.experiment())) controller_.setPace(pace_);
 }
 
+RunStatus RunDesk::status() const {
+  return controller_.currentRun() > earlier_ ? controller_.status() : RunStatus{};
+}
+
 void RunDesk::run() {
   if (controller_.state() == RunState::Paused) return controller_.resume();
   if (!isActive(controller_.state())) start(false);
@@ -111,6 +115,7 @@ bool RunDesk::refuse() {
 
 void RunDesk::onDocumentOpened() {
   controller_.stop();
+  earlier_ = controller_.currentRun();
   rejected_.reset();
   // Runs of another experiment stay in the list but leave the charts.
   for (const RunRecord& record : std::vector(runs_.records())) {
@@ -121,6 +126,11 @@ void RunDesk::onDocumentOpened() {
   bench_.metrics().setMetrics({}, {});
   drawDocument();
   fillRunSet();
+  // How the other document was looked at is no view of this one. Last: the scene's time is a cursor.
+  bench_.scene().resetView();
+  bench_.charts().resetView();
+  bench_.signalTree().resetView();
+  bench_.runs().clearSelection();
 }
 
 void RunDesk::onDocumentChanged() {

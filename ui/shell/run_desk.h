@@ -29,6 +29,8 @@ class RunDesk : public QObject {
   /// Speed for experiments that are flown; comparisons always run as fast as possible.
   void setPace(Pace pace);
   [[nodiscard]] static bool isPaced(const Experiment& experiment);
+  /// Of the run of this document; idle while it has none.
+  [[nodiscard]] RunStatus status() const;
 
  signals:
   /// One sentence for the status bar.
@@ -63,6 +65,7 @@ class RunDesk : public QObject {
   QTimer drawTimer_;
   Pace pace_;
   int shown_ = 0;            ///< the run in the scene
+  int earlier_ = 0;          ///< the last run of the document before this one
   bool sceneBound_ = false;  ///< the shown run's recording is in the scene
 };
 

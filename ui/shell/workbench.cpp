@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QTimer>
+#include <algorithm>
 
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/signal_tree.h"
@@ -23,6 +24,7 @@ namespace {
 constexpr auto kLayoutKey = "window/panels";
 // Raised when docks are added or renamed, so that an old layout is not applied to new panels.
 constexpr int kLayoutVersion = 1;
+constexpr int kChartsAndForms = 1060, kLeastSceneWidth = 250;  // px
 
 void appendTypeKeys(schema::ConstRef root, const DocumentModel& model, QString path,
                     QStringList& topics) {
@@ -97,8 +99,9 @@ void Workbench::arrangeDefault() {
   tabifyDockWidget(docks_[Metrics], docks_[Log]);
   docks_[Runs]->raise();
   docks_[Metrics]->raise();
-  const bool narrow = width() < 1300;
-  resizeDocks({docks_[Experiment], docks_[Scene]}, {narrow ? 310 : 330, narrow ? 250 : 380},
+  // The charts need the width more than the scene does.
+  const int scene = std::clamp(width() - kChartsAndForms, kLeastSceneWidth, 380);
+  resizeDocks({docks_[Experiment], docks_[Scene]}, {scene > kLeastSceneWidth ? 330 : 300, scene},
               Qt::Horizontal);
   resizeDocks({docks_[Scene], docks_[Runs]}, {3, 2}, Qt::Vertical);
   resizeDocks({docks_[Metrics]}, {150}, Qt::Vertical);

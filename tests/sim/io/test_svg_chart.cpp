@@ -1,11 +1,61 @@
-// Charts as SVG: round marks that cover the data, well-formed markup, text kept out of the markup.
+// Charts as SVG: round marks that cover the data, well-formed markup, text kept out of the markup,
+// and all of it inside the picture.
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QRectF>
 #include <QTest>
+#include <QTransform>
 #include <QXmlStreamReader>
 #include <limits>
 
+#include "sim/io/label_width.h"
 #include "sim/io/svg_chart.h"
 
 using namespace rotorbench;
+
+namespace {
+
+/// The widest of the usual faces; a reader may have any.
+QFont pageFont(bool bold) {
+  QFont font("DejaVu Sans");
+  font.setHintingPreference(QFont::PreferNoHinting);
+  font.setPixelSize(12);
+  font.setBold(bold);
+  return font;
+}
+
+struct PlacedText {
+  QString text;
+  QRectF box;
+};
+
+/// Every text of the picture with the room it takes.
+QList<PlacedText> placedTexts(const QString& svg, QRectF* view) {
+  QList<PlacedText> found;
+  QXmlStreamReader reader(svg);
+  while (!reader.atEnd()) {
+    if (reader.readNext() != QXmlStreamReader::StartElement) continue;
+    const auto a = reader.attributes();
+    if (reader.name() == QLatin1String("svg")) {
+      const auto size = a.value("viewBox").toString().split(' ');
+      *view = {0, 0, size[2].toDouble(), size[3].toDouble()};
+    }
+    if (reader.name() != QLatin1String("text")) continue;
+    const QPointF at(a.value("x").toDouble(), a.value("y").toDouble());
+    const QString anchor = a.value("text-anchor").toString();
+    const bool turned = a.hasAttribute("transform"), bold = a.hasAttribute("font-weight");
+    const QString text = reader.readElementText();
+    const QFontMetricsF metrics(pageFont(bold));
+    const double width = metrics.horizontalAdvance(text);
+    const double before = anchor == "middle" ? width / 2 : anchor == "end" ? width : 0;
+    const QRectF box(-before, -metrics.ascent(), width, metrics.height());
+    const QTransform place = QTransform::fromTranslate(at.x(), at.y());
+    found.append({text, (turned ? QTransform().rotate(-90) * place : place).mapRect(box)});
+  }
+  return found;
+}
+
+}  // namespace
 
 class TestSvgChart : public QObject {
   Q_OBJECT
@@ -59,6 +109,63 @@ class TestSvgChart : public QObject {
     QVERIFY(!svg.contains("nan"));
   }
 
+  void labelsAreNeverWiderThanThought() {
+    QVERIFY(QFontDatabase::families().contains("DejaVu Sans"));
+    QStringList texts{"Thrust, N", "Größe, °", "Static thrust of the APC 10 x 4.7 (Slow Flyer)"};
+    for (char c = ' '; c <= '~'; ++c) texts << QString(QChar(c));
+    for (const bool bold : {false, true}) {
+      const QFontMetricsF metrics(pageFont(bold));
+      for (const QString& text : texts) {
+        const double thought = labelWidth(text.toStdString(), 12, bold);
+        QVERIFY2(metrics.horizontalAdvance(text) <= thought + 1e-9, qPrintable(text));
+      }
+    }
+  }
+
+  void textIsBrokenAndNothingLost_data() {
+    QTest::addColumn<QString>("text");
+    QTest::addRow("words") << "Map less blade elements, thrust with air from the side";
+    QTest::addRow("one word") << "rotor1.thrust.of.a.very.long.name.without.any.space.at.all";
+    QTest::addRow("not ASCII") << "ÄÖÜäöüßÄÖÜäöüßÄÖÜäöüßÄÖÜäöüßÄÖÜäöüßÄÖÜäöüß";
+    QTest::addRow("empty") << "";
+  }
+  void textIsBrokenAndNothingLost() {
+    QFETCH(QString, text);
+    QString joined;
+    const auto lines = wrappedLabel(text.toStdString(), 120, 12);
+    QVERIFY(!lines.empty());
+    for (const auto& line : lines) {
+      QVERIFY(labelWidth(line, 12) <= 120);
+      joined += QString::fromStdString(line);
+    }
+    QCOMPARE(joined.remove(' '), text.remove(' '));
+  }
+
+  /// Names, title and axes as long as those of real propellers, and numbers with many digits.
+  void everythingIsInsideThePicture() {
+    const std::string longName =
+        "Blade elements with the measured section of the Clark Y at 500 000, Prandtl tip and root "
+        "losses and the stall delay of Corrigan";
+    SvgChart chart{longName, {longName, {}, {}}, {longName, {}, {}}, {}};
+    chart.series = {{longName, SvgSeries::Style::Line, 0, {{-1e6, -1e5}, {2e6, 3e5}}},
+                    {"measured", SvgSeries::Style::Points, 1, {{0, 0}}}};
+    QRectF view;
+    const auto texts = placedTexts(QString::fromStdString(svgChart(chart)), &view);
+    QStringList words;
+    for (const auto& [text, box] : texts) {
+      QVERIFY2(view.contains(box), qPrintable(text));
+      words << text.split(' ');
+      for (const auto& [other, otherBox] : texts) {
+        const bool same = text == other;
+        const bool apart = !box.adjusted(1, 3, -1, -3).intersects(otherBox.adjusted(1, 3, -1, -3));
+        QVERIFY2(same || apart, qPrintable(text + " | " + other));
+      }
+    }
+    const QStringList wanted = QString::fromStdString(longName).split(' ');
+    for (const QString& word : wanted)
+      QVERIFY2(words.count(word) >= 4 * wanted.count(word), qPrintable(word));
+  }
+
   void emptyChartIsAChart() {
     QXmlStreamReader reader(QString::fromStdString(svgChart({})));
     while (!reader.atEnd()) reader.readNext();
@@ -66,5 +173,5 @@ class TestSvgChart : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TestSvgChart)
+QTEST_MAIN(TestSvgChart)
 #include "test_svg_chart.moc"

@@ -60,6 +60,8 @@ class ChartExportTest : public QObject {
 
  private slots:
   void png();
+  void curvesAreThereAgainAndAgain_data();
+  void curvesAreThereAgainAndAgain();
   void svgHasTitleUnitsAndLegend();
   void pdfHasTheText();
   void csvOfTheVisibleRange();
@@ -84,6 +86,28 @@ void ChartExportTest::png() {
       blue += image.pixelColor(x, y) == QColor(0, 114, 178);
   }
   QVERIFY2(blue > 500, qPrintable(QString::number(blue)));  // the curve of rotor 1
+}
+
+void ChartExportTest::curvesAreThereAgainAndAgain_data() {
+  QTest::addColumn<bool>("xy");
+  QTest::addRow("over time") << false;
+  QTest::addRow("one over another") << true;
+}
+
+/// A chart that has been on show, exported twice: what was read before is not missing then.
+void ChartExportTest::curvesAreThereAgainAndAgain() {
+  QFETCH(bool, xy);
+  Sheet s;
+  s.pane().setSpec({"", xy ? ChartKind::XY : ChartKind::Time, xy ? "error" : "", "rotor1.thrust",
+                    false, false, false});
+  s.pane().refresh();
+  for (int time = 0; time < 2; ++time) {
+    const ChartFrame frame = s.pane().frameFor({600, 400}, 2, QLocale::c());
+    QVERIFY2(frame.curves.front().points.size() > 50, "points of the figure");
+    QCOMPARE(exportPane(s.pane(), s.path("a.svg")), QString());
+    const QByteArray drawing = read(s.path("a.svg"));
+    QCOMPARE(drawing.count("#0072b2") >= 2, true);  // the curve and its sample in the legend
+  }
 }
 
 void ChartExportTest::svgHasTitleUnitsAndLegend() {

@@ -53,6 +53,9 @@ class ChartGridTest : public QObject {
   void samePanesKeepTheirView();
   void splitRemoveMaximize();
   void liveWhileWriting();
+  void runOutsideTheViewIsBroughtIn_data();
+  void runOutsideTheViewIsBroughtIn();
+  void unfinishedRunMovesNothing();
   void timeCursorBothWays();
   void treeSplitsSearchesAndAdds();
   void treeKeepsItsShapeOnRerun();
@@ -161,6 +164,63 @@ void ChartGridTest::liveWhileWriting() {
   goal = 5000;
   for (std::size_t pane = 0; pane < 4; ++pane) QTRY_COMPARE(lastTime(pane), 4999 * 0.01);
   writer.join();
+}
+
+void ChartGridTest::runOutsideTheViewIsBroughtIn_data() {
+  QTest::addColumn<double>("end");
+  QTest::addColumn<bool>("yZoom");
+  QTest::addColumn<bool>("timeKept");
+  QTest::addColumn<bool>("yKept");
+  QTest::addRow("ends before the view") << 5.0 << false << false << false;
+  QTest::addRow("ends in the view") << 12.0 << false << true << false;
+  QTest::addRow("reaches beyond the view") << 30.0 << false << true << false;
+  QTest::addRow("at its time, with other values") << 12.0 << true << true << false;
+  QTest::addRow("at its time and values") << 30.0 << true << true << true;
+}
+
+/// A view of 8 s to 18 s, in one chart also of 15 N to 19 N; thrust of the runs is 1 N + 1 N/s t.
+void ChartGridTest::runOutsideTheViewIsBroughtIn() {
+  QFETCH(double, end);
+  QFETCH(bool, yZoom);
+  QFETCH(bool, timeKept);
+  QFETCH(bool, yKept);
+  RunSet runs;
+  runs.add(fixture::run("1", fixture::ramp(101, 20)));
+  ChartGrid grid(&runs);
+  grid.setSpecs(specs(2));
+  grid.resize(800, 600);
+  grid.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&grid));
+  ChartPane* first = grid.panes().front();
+  QTest::qWait(100);  // the first run has arrived
+  ChartView view{Span{8, 18}, {}};
+  if (yZoom) view.y["N"] = {15, 19};
+  first->setView(view);
+  runs.add(fixture::run("2", fixture::ramp(101, end)));
+  QTest::qWait(200);
+  QCOMPARE(grid.link()->timeRange().has_value(), timeKept);
+  QCOMPARE(first->view().y.contains("N"), yKept);
+  if (first->view() == view) return;
+  QTest::keyClick(first, Qt::Key_Backspace);
+  QTRY_VERIFY(first->view() == view);  // as any other zoom
+}
+
+void ChartGridTest::unfinishedRunMovesNothing() {
+  RunSet runs;
+  runs.add(fixture::run("1", fixture::ramp(101, 20)));
+  ChartGrid grid(&runs);
+  grid.setSpecs(specs(1));
+  grid.resize(800, 600);
+  grid.show();
+  QVERIFY(QTest::qWaitForWindowExposed(&grid));
+  QTest::qWait(100);
+  grid.link()->setTimeRange(Span{8, 18});
+  const auto growing = fixture::ramp(11, 1, false);
+  runs.add(fixture::run("2", growing));
+  QTest::qWait(200);
+  QVERIFY(grid.link()->timeRange() == (Span{8, 18}));
+  growing->finish();
+  QTRY_VERIFY(!grid.link()->timeRange().has_value());
 }
 
 void ChartGridTest::timeCursorBothWays() {
