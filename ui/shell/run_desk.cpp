@@ -33,7 +33,12 @@ std::optional<SceneModel> vehicleOf(const Experiment& experiment) {
 
 RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
                  RunController& controller, QObject* parent)
-    : QObject(parent), documents_(documents), bench_(bench), runs_(runs), controller_(controller) {
+    : QObject(parent),
+      documents_(documents),
+      bench_(bench),
+      runs_(runs),
+      controller_(controller),
+      planned_(documents) {
   DocumentModel& model = documents_.model();
   drawTimer_.setSingleShot(true);
   drawTimer_.setInterval(kRedrawMilliseconds);
@@ -41,6 +46,9 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
   connect(&model, &DocumentModel::valueChanged, &drawTimer_, qOverload<>(&QTimer::start));
   connect(&model, &DocumentModel::structureChanged, &drawTimer_, qOverload<>(&QTimer::start));
   connect(&documents_, &DocumentController::opened, this, &RunDesk::onDocumentOpened);
+  connect(&planned_, &PlannedChannels::found, this, [this](const std::vector<Channel>& channels) {
+    bench_.signalTree().setPlanned(channels);
+  });
   connect(&controller_, &RunController::updated, this, &RunDesk::onUpdated);
   connect(&controller_, &RunController::stateChanged, this, &RunDesk::onStateChanged);
   connect(&runs_, &RunList::runsChanged, this, &RunDesk::fillRunSet);
@@ -58,10 +66,14 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
           &ExperimentPanel::jumpTo);
   bench_.experiment().setChannelNames([this] {
     QStringList names;
-    for (const Channel& channel : bench_.runSet().channels())
+    for (const Channel& channel : bench_.signalTree().offered())
       names << QString::fromStdString(channel.name);
     return names;
   });
+}
+
+RunStatus RunDesk::status() const {
+  return ran_ ? controller_.status() : RunStatus{};
 }
 
 bool RunDesk::isPaced(const Experiment& experiment) {
@@ -88,6 +100,7 @@ void RunDesk::start(bool paused) {
   documents_.model().commitPendingEdits();
   if (refuse()) return;
   controller_.setPace(isPaced(documents_.experiment()) ? pace_ : Pace{});
+  ran_ = true;
   const int id = controller_.start(documents_.experiment(), documents_.directory(), paused);
   bench_.log().add(tr("%1 started.").arg(runs_.find(id)->name));
   bench_.runs().select(id);
@@ -112,6 +125,7 @@ void RunDesk::onDocumentOpened() {
   }
   runs_.setCurrentExperiment(documents_.experiment());
   shown_ = 0;
+  ran_ = false;
   bench_.metrics().setMetrics({}, {});
   drawDocument();
   fillRunSet();

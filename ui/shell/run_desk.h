@@ -7,6 +7,7 @@
 
 #include "ui/runs/run_controller.h"
 #include "ui/shell/document_controller.h"
+#include "ui/shell/planned_channels.h"
 #include "ui/shell/workbench.h"
 
 namespace rotorbench {
@@ -24,6 +25,8 @@ class RunDesk : public QObject {
   void step();
   /// Speed for experiments that are flown; comparisons always run as fast as possible.
   void setPace(Pace pace);
+  /// How the last run of the open document goes or went; idle before its first.
+  [[nodiscard]] RunStatus status() const;
   [[nodiscard]] static bool isPaced(const Experiment& experiment);
 
  signals:
@@ -49,9 +52,11 @@ class RunDesk : public QObject {
   Workbench& bench_;
   RunList& runs_;
   RunController& controller_;
+  PlannedChannels planned_;
   QTimer drawTimer_;
   Pace pace_;
   int shown_ = 0;            ///< the run in the scene
+  bool ran_ = false;         ///< the open document has had a run
   bool sceneBound_ = false;  ///< the shown run's recording is in the scene
 };
 
