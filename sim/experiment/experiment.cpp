@@ -24,7 +24,9 @@ void Describe<OutputSettings>::fields(schema::Builder<OutputSettings>& b) {
           "the run stops "
           "at the limit; what was recorded is kept.")
       .advanced();
-  b.list("charts", &OutputSettings::charts, "Charts").items(0, 64);
+  b.list("charts", &OutputSettings::charts, "Charts")
+      .items(0, 64)
+      .help("With none, the usual charts of this kind of experiment are shown.");
 }
 
 void Describe<Experiment>::fields(schema::Builder<Experiment>& b) {

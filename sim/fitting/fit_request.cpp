@@ -10,6 +10,7 @@ MotorFitSetup setupOf(const MotorFitRequest& request, const FitStart& start) {
   setup.escResistance = start.escResistance;
   setup.torque = request.torque;
   setup.torqueCoefficient = start.torqueCoefficient;
+  setup.torqueCoefficientIsGuess = start.coefficientsAreGuesses;
   setup.torquePerThrust = request.torquePerThrust;
   setup.duty = request.duty;
   setup.fitSpeedConstant = request.speedConstant;
@@ -35,6 +36,7 @@ RotorFitSetup setupOf(const RotorFitRequest& request, const FitStart& start) {
   RotorFitSetup setup;
   setup.thrustStart = start.thrustCoefficient;
   setup.torqueStart = start.torqueCoefficient;
+  setup.startsAreGuesses = start.coefficientsAreGuesses;
   setup.fitThrust = request.thrust;
   setup.fitTorque = request.torque;
   setup.rotors = request.rotors;
@@ -118,6 +120,12 @@ std::string limitedRowsText(const FitRequest& request, const MeasuredTable& tabl
          ": they are at or near the current limit of " + numberText(setup.currentLimit) + " A.";
 }
 
+std::string dutyText(const FitRequest& request, const MeasuredTable& table, const FitStart& start) {
+  const auto* motor = std::get_if<MotorFitRequest>(&request.what);
+  return motor == nullptr ? std::string()
+                          : motorDutyText(table, motorSetup(*motor, request.limited, start));
+}
+
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start) {
   return std::visit(ProblemOf{table, start, request.limited}, request.what);
 }
@@ -146,6 +154,9 @@ void Describe<MotorFitRequest>::fields(schema::Builder<MotorFitRequest>& b) {
       .help("k_m/k_f, used where the torque is taken from the thrust.");
   b.choice("duty", &R::duty, "Duty",
            std::vector<schema::Named<DutyFrom>>{
+               {DutyFrom::Automatic, "automatic", "The throttle, if it can be",
+                "The throttle, unless the motor turns as fast with much less of it: then 1 at full "
+                "throttle, else unknown."},
                {DutyFrom::Throttle, "throttle", "The throttle",
                 "A speed controller whose duty is the throttle."},
                {DutyFrom::FullThrottle, "full-throttle", "1 at full throttle, else unknown",

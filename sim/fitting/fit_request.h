@@ -18,7 +18,7 @@ struct MotorFitRequest {
   bool torqueCoefficient = true;
   ShaftTorque torque = ShaftTorque::Propeller;
   double torquePerThrust = 0.015;  ///< m
-  DutyFrom duty = DutyFrom::Throttle;
+  DutyFrom duty = DutyFrom::Automatic;
   bool operator==(const MotorFitRequest&) const = default;
 };
 
@@ -56,10 +56,11 @@ struct FitRequest {
 /// What the experiment has now: where the fit starts, and what is not fitted.
 struct FitStart {
   MotorParameters motor;
-  double escResistance = 0;         ///< Ohm
-  double currentLimit = 0;          ///< A, of the motor current; 0: not known
-  double torqueCoefficient = 1e-7;  ///< k_m, N m s^2
-  double thrustCoefficient = 1e-5;  ///< k_f, N s^2
+  double escResistance = 0;            ///< Ohm
+  double currentLimit = 0;             ///< A, of the motor current; 0: not known
+  double torqueCoefficient = 1e-7;     ///< k_m, N m s^2
+  double thrustCoefficient = 1e-5;     ///< k_f, N s^2
+  bool coefficientsAreGuesses = true;  ///< k_m and k_f are not of the experiment
   PropellerGeometry propeller;
   BladeElementSettings settings;
 };
@@ -75,6 +76,9 @@ std::vector<std::string> missingFor(const FitRequest& request, const MeasuredTab
 /// fits, where a limit is not known, and where something is missing.
 std::string limitedRowsText(const FitRequest& request, const MeasuredTable& table,
                             const FitStart& start);
+/// What a motor fit makes of a throttle that cannot be the duty, where it is asked to decide; else
+/// empty.
+std::string dutyText(const FitRequest& request, const MeasuredTable& table, const FitStart& start);
 /// Throws InputError with those sentences.
 FitProblem problemOf(const FitRequest& request, const MeasuredTable& table, const FitStart& start);
 

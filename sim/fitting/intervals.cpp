@@ -15,11 +15,6 @@ constexpr double kNoise = 1e-6;
 constexpr double kPart = 0.05;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
-bool isAtBound(const FittedParameter& p) {
-  const double near = 1e-8 * p.parameter.scale;
-  return p.value <= p.parameter.low + near || p.value >= p.parameter.high - near;
-}
-
 /// P(T <= t) of Student's t for t >= 0, by the incomplete beta function (Abramowitz and Stegun
 /// 26.7.1).
 double studentProbability(double t, double degrees) {
@@ -72,7 +67,7 @@ void judgeParameters(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& res
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < result.parameters.size(); ++i) {
     FittedParameter& p = result.parameters[i];
-    if (isAtBound(p)) {
+    if (p.atBound()) {
       p.remark = "This stands at the end of its range: the data ask for more.";
     } else {
       free.push_back(i);

@@ -24,7 +24,8 @@ struct FitParameter {
   double start = 0;
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
-  double scale = 1;  ///< typical size of a change, above 0
+  double scale = 1;           ///< typical size of a change, above 0
+  bool startIsGuess = false;  ///< nobody gave the start; being far from it means nothing
 };
 
 /// A predicted quantity; residuals of different outputs are weighed against each other.
@@ -74,6 +75,11 @@ struct FittedParameter {
   std::optional<double> halfWidth;
   bool determined = true;
   std::string remark;  ///< one sentence where there is something to say
+
+  [[nodiscard]] bool atBound() const {
+    const double near = 1e-8 * parameter.scale;
+    return value <= parameter.low + near || value >= parameter.high - near;
+  }
 };
 
 struct FittedOutput {

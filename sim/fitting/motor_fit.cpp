@@ -5,14 +5,13 @@
 #include <limits>
 
 #include "sim/core/error.h"
+#include "sim/fitting/duty_source.h"
 #include "sim/fitting/measured_rows.h"
 
 namespace rotorbench {
 
 namespace {
 
-/// Throttle from which the speed controller is taken to be fully on.
-constexpr double kFull = 0.999;
 /// Rows below this speed, rad/s, are a motor at rest.
 constexpr double kTurning = 10;
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
@@ -81,7 +80,7 @@ std::vector<Choice> choicesOf(const MotorFitSetup& setup) {
   if (setup.fitTorqueCoefficient && setup.torque == ShaftTorque::Propeller) {
     const double k = start.torqueCoefficient;
     choices.push_back({{"torqueCoefficient", "Torque coefficient of the propeller", "N*m*s^2",
-                        "N*m*s^2", k, 1e-3 * k, 1e3 * k, k},
+                        "N*m*s^2", k, 1e-3 * k, 1e3 * k, k, setup.torqueCoefficientIsGuess},
                        &Candidate::torqueCoefficient,
                        nullptr});
   }
@@ -117,7 +116,7 @@ std::vector<Row> turningRows(const MeasuredTable& table, const MotorFitSetup& se
     if (setup.torque == ShaftTorque::FromThrust)
       row.torque = setup.torquePerThrust * std::abs(values[next]);
     row.dutyKnown = setup.duty == DutyFrom::Throttle ||
-                    (setup.duty == DutyFrom::FullThrottle && row.throttle >= kFull);
+                    (setup.duty == DutyFrom::FullThrottle && row.throttle >= kFullThrottle);
     if (row.speed > kTurning && row.voltage > 0 && row.throttle > 0) rows.push_back(row);
   }
   return rows;
@@ -200,10 +199,29 @@ FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
   return problem;
 }
 
+/// The rows of the fit as far as they say what the throttle is: where a current limit acts, they do
+/// not.
+std::vector<DutyRow> dutyRows(const MeasuredTable& table, MotorFitSetup setup) {
+  setup.duty = DutyFrom::Throttle;
+  std::vector<DutyRow> rows;
+  for (const Row& row : rowsOf(table, setup))
+    rows.push_back({row.throttle, row.speed, row.voltage});
+  return rows;
+}
+
+/// With what an automatic choice comes to for this table.
+MotorFitSetup decided(const MeasuredTable& table, MotorFitSetup setup) {
+  if (setup.duty != DutyFrom::Automatic) return setup;
+  const bool known = table.find("throttle") != nullptr;
+  setup.duty = known ? dutySourceOf(dutyRows(table, setup)) : DutyFrom::Unknown;
+  return setup;
+}
+
 }  // namespace
 
 std::vector<std::string> missingForMotorFit(const MeasuredTable& table,
-                                            const MotorFitSetup& setup) {
+                                            const MotorFitSetup& asked) {
+  const MotorFitSetup setup = decided(table, asked);
   std::vector<std::string> missing = missingColumns(table, columnsFor(setup));
   const std::vector<Choice> choices = choicesOf(setup);
   if (choices.empty()) missing.emplace_back("No parameter is chosen to be fitted.");
@@ -218,12 +236,18 @@ std::vector<std::string> missingForMotorFit(const MeasuredTable& table,
   return missing;
 }
 
-MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& setup) {
+MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& asked) {
+  const MotorFitSetup setup = decided(table, asked);
   const std::size_t used = rowsOf(table, setup).size();
   return {used, turningRows(table, setup).size() - used};
 }
 
-FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& setup) {
+std::string motorDutyText(const MeasuredTable& table, const MotorFitSetup& asked) {
+  return asked.duty == DutyFrom::Automatic ? dutySourceText(dutyRows(table, asked)) : std::string();
+}
+
+FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& asked) {
+  const MotorFitSetup setup = decided(table, asked);
   throwIfAny(table, missingForMotorFit(table, setup));
   return problemOf(rowsOf(table, setup), choicesOf(setup), candidateOf(setup));
 }

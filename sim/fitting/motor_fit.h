@@ -30,18 +30,23 @@ enum class ShaftTorque {
 
 /// What the throttle says about the duty.
 enum class DutyFrom {
-  Throttle,  ///< duty = throttle
+  Automatic,  ///< Throttle, unless the log shows that it cannot be (duty_source.h)
+  Throttle,   ///< duty = throttle
   /// 1 at full throttle, else unknown: for speed controllers with a curve of their own
   FullThrottle,
   Unknown,
 };
 
+/// Throttle from which the speed controller is taken to be fully on.
+inline constexpr double kFullThrottle = 0.999;
+
 struct MotorFitSetup {
   MotorParameters start;
   double escResistance = 0;  ///< Ohm, part of R that is not the motor's
   ShaftTorque torque = ShaftTorque::Propeller;
-  double torqueCoefficient = 1e-7;  ///< k_m, N m s^2: start, or value where it is not fitted
-  double torquePerThrust = 0;       ///< m, for FromThrust
+  double torqueCoefficient = 1e-7;        ///< k_m, N m s^2: start, or value where it is not fitted
+  bool torqueCoefficientIsGuess = false;  ///< nobody gave k_m
+  double torquePerThrust = 0;             ///< m, for FromThrust
   DutyFrom duty = DutyFrom::Throttle;
   bool fitSpeedConstant = true, fitResistance = true, fitNoLoadCurrent = true;
   bool fitViscousShare = false;
@@ -59,13 +64,16 @@ struct MotorFitRows {
 /// over the duty, or over 1 where the duty is not known, which is the least the motor current can
 /// be. Beyond the limit that quotient falls, so that then all rows of as much throttle or more
 /// count as limited. Precondition: nothing is missing.
-MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& setup);
+MotorFitRows motorFitRows(const MeasuredTable& table, const MotorFitSetup& asked);
+
+/// One sentence where the duty is decided automatically and the throttle cannot be it; else empty.
+std::string motorDutyText(const MeasuredTable& table, const MotorFitSetup& asked);
 
 /// What the table lacks for this fit, one sentence each; empty if it can be done.
-std::vector<std::string> missingForMotorFit(const MeasuredTable& table, const MotorFitSetup& setup);
+std::vector<std::string> missingForMotorFit(const MeasuredTable& table, const MotorFitSetup& asked);
 
 /// Throws InputError with those sentences.
-FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& setup);
+FitProblem motorFitProblem(const MeasuredTable& table, const MotorFitSetup& asked);
 
 struct FittedMotor {
   MotorParameters motor;         ///< `start` with the fitted values that were determined

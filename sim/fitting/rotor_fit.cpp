@@ -72,7 +72,8 @@ FitProblem rotorFitProblem(const MeasuredTable& table, const RotorFitSetup& setu
   problem.abscissa = "Motor speed", problem.abscissaUnit = "rad/s", problem.abscissaShown = "rpm";
   for (const Law& law : lawsOf(setup)) {
     problem.parameters.push_back({law.key, law.label, law.unit, law.unit, law.start, 0,
-                                  std::numeric_limits<double>::infinity(), law.start});
+                                  std::numeric_limits<double>::infinity(), law.start,
+                                  setup.startsAreGuesses});
     double most = 0;
     for (const auto& [speed, value] : pointsOf(table, law, setup.rotors)) {
       problem.points.push_back({problem.outputs.size(), speed, value});

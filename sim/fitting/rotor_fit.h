@@ -12,8 +12,9 @@
 namespace rotorbench {
 
 struct RotorFitSetup {
-  double thrustStart = 1e-5;  ///< k_f, N s^2, above 0
-  double torqueStart = 1e-7;  ///< k_m, N m s^2, above 0
+  double thrustStart = 1e-5;      ///< k_f, N s^2, above 0
+  double torqueStart = 1e-7;      ///< k_m, N m s^2, above 0
+  bool startsAreGuesses = false;  ///< nobody gave them
   bool fitThrust = true, fitTorque = true;
   int rotors = 1;  ///< the thrust and torque columns are the sum of so many
 };

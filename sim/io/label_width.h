@@ -10,8 +10,8 @@ namespace rotorbench {
 /// Most width of UTF-8 text, in the unit of the font's size.
 double labelWidth(const std::string& text, double fontSize, bool bold = false);
 
-/// The text in lines no wider than `room`, broken between words and, where a word is wider by itself,
-/// inside it. At least one line, which may be empty.
+/// The text in lines no wider than `room`, broken between words and, where a word is wider by
+/// itself, inside it. At least one line, which may be empty.
 std::vector<std::string> wrappedLabel(const std::string& text, double room, double fontSize,
                                       bool bold = false);
 

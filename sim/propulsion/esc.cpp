@@ -45,8 +45,9 @@ void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
       .range(above(0), upTo(1e5))
       .help(
           "Kept by limiting the voltage to the band of R i_max around the back-EMF. The lower one "
-          "of this and the motor's holds.")
-      .source("The continuous rating of a 30 A controller");
+          "of this and the motor's holds. 10000 A, the most a motor's can be, is no limit of its "
+          "own.")
+      .source("None unless given: the motor's limit holds");
   b.boolean("reverse", &P::reverse, "Reversible")
       .help("Negative throttle turns the motor backwards.");
   b.boolean("activeBraking", &P::activeBraking, "Active braking")

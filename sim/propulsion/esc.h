@@ -20,12 +20,12 @@
 namespace rotorbench {
 
 struct EscParameters {
-  double resistance = 0.005;   ///< Ohm, of the switches in the motor's path
-  double responseTime = 0.01;  ///< s, first-order lag from throttle to duty; 0: none
-  double deadTime = 0;         ///< s, from a throttle command until it begins to act
-  double maxCurrent = 30;      ///< A, kept by limiting the voltage
-  bool reverse = false;        ///< duty in -1..1 instead of 0..1
-  bool activeBraking = true;   ///< else no current flows back
+  double resistance = 0.005;              ///< Ohm, of the switches in the motor's path
+  double responseTime = 0.01;             ///< s, first-order lag from throttle to duty; 0: none
+  double deadTime = 0;                    ///< s, from a throttle command until it begins to act
+  double maxCurrent = kMostCurrentLimit;  ///< A, kept by limiting the voltage
+  bool reverse = false;                   ///< duty in -1..1 instead of 0..1
+  bool activeBraking = true;              ///< else no current flows back
   bool operator==(const EscParameters&) const = default;
 };
 

@@ -74,7 +74,8 @@ void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) 
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Drag torque per rotor speed squared.")
       .source(hummingbird);
-  b.group("inflow", &P::inflow, "Moving air").source(hummingbird);
+  b.group("inflow", &P::inflow, "Moving air")
+      .help("None unless given: the figures of one rotor are not those of another.");
   b.number("referenceDensity", &P::referenceDensity, "Holds at air density", "\u03c1\u2080",
            "kg/m^3")
       .range(schema::above(0), schema::upTo(100))

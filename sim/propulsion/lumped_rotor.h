@@ -26,11 +26,13 @@ struct RotorInflow {
   bool operator==(const RotorInflow&) const = default;
 };
 
-/// Coefficients as identified on a vehicle. Defaults: AscTec Hummingbird.
+/// Coefficients as identified on a vehicle. Thrust, torque and diameter are the AscTec
+/// Hummingbird's until others are given; what moving air does is none until it is given, for no
+/// rotor has the figures of another.
 struct RotorCoefficients {
   double thrust = 5.57e-6;  ///< k_eta, N s^2/rad^2
   double torque = 1.36e-7;  ///< k_m, N m s^2/rad^2
-  RotorInflow inflow{1.19e-4, 2.32e-4, 3.39e-3, 0};
+  RotorInflow inflow;
   double referenceDensity = 1.225;  ///< kg/m^3 at which all of them hold
   double diameter = 0.2032;         ///< m, for drawing and advance ratios
   bool operator==(const RotorCoefficients&) const = default;

@@ -73,7 +73,7 @@ void Describe<MotorParameters>::fields(schema::Builder<MotorParameters>& b) {
       .source("Assumption: none, the no-load current is taken as constant")
       .advanced();
   b.number("maxCurrent", &P::maxCurrent, "Current limit", "i_max", "A")
-      .range(schema::above(0), schema::upTo(1e4))
+      .range(schema::above(0), schema::upTo(kMostCurrentLimit))
       .help("The motor speed controller keeps the current below this by limiting the voltage.")
       .source("DJI 420 LITE speed controller of the E305 set: 20 A continuous");
   b.check([](const P& p, std::vector<Problem>& problems) {

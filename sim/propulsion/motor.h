@@ -12,6 +12,10 @@
 
 namespace rotorbench {
 
+/// A, the largest limit a motor can be given. A speed controller with this one leaves the limit to
+/// its motor.
+inline constexpr double kMostCurrentLimit = 1e4;
+
 /// As a data sheet gives a motor; defaults are the DJI E305 (2312E).
 struct MotorParameters {
   double speedConstant = 100.53096491487338;  ///< Kv in (rad/s)/V: 960 rpm/V

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "sim/core/parallel.h"
+#include "sim/fitting/doubt.h"
 #include "sim/io/csv.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/drive_fit.h"
@@ -71,13 +72,36 @@ DriveConstants startingFrom(double kv, double resistance, const std::vector<Driv
   return c;
 }
 
+/// Why constants are not to be read as those of the motor; `kv`: of its label in rpm/V, 0 where it
+/// has none.
+std::string doubtOf(const DriveConstants& c, double kv) {
+  const double found = 1 / (c.torqueConstant * kRpm);
+  std::string negative;
+  const auto judge = [&negative](const char* name, double value) {
+    if (value < 0) negative += (negative.empty() ? "" : ", ") + std::string(name);
+  };
+  judge("Kv", found);
+  judge("R", c.resistance);
+  judge("I0", c.noLoadCurrent);
+  if (!negative.empty()) return negative + " below zero: not determined by the points";
+  if (kv > 0 && std::abs(found / kv - 1) > kFarFromStart)
+    return "Kv is " + fixed(100 * (found / kv - 1), 0) + " % off its label";
+  return "none";
+}
+
 /// The constants that a reader can compare with a data sheet.
-std::vector<std::string> constantCells(const DriveConstants& c) {
-  return {fixed(1 / (c.torqueConstant * kRpm), 0), fixed(c.resistance * 1000, 0),
-          fixed(c.noLoadCurrent, 3), fixed(c.loadCurrent * 1e6, 3), fixed(c.standbyCurrent, 3)};
+std::vector<std::string> constantCells(const DriveConstants& c, double kv = 0) {
+  return {kv > 0 ? fixed(kv, 0) : "none",
+          fixed(1 / (c.torqueConstant * kRpm), 0),
+          fixed(c.resistance * 1000, 0),
+          fixed(c.noLoadCurrent, 3),
+          fixed(c.loadCurrent * 1e6, 3),
+          fixed(c.standbyCurrent, 3),
+          doubtOf(c, kv)};
 }
 const std::vector<std::string> kConstantHeads{
-    "Kv, rpm/V", "R, m\u03a9", "I0, A", "kq/K, \u00b5A s\u00b2/rad\u00b2", "Ammeter at rest, A"};
+    "Kv of the label, rpm/V",          "Kv, rpm/V",          "R, m\u03a9", "I0, A",
+    "kq/K, \u00b5A s\u00b2/rad\u00b2", "Ammeter at rest, A", "Doubt"};
 
 /// Measured and predicted over the duty; the fitted points apart from the held out ones.
 SvgChart dutyChart(const HeldOut& h, const std::string& title, bool speed) {
@@ -160,7 +184,7 @@ CaseResult drivesOnSteps(const fs::path& resources) {
     result.figures.push_back({name + ": current of the steps held out, most", "%", e.current, 6});
     result.figures.push_back({name + ": current of the steps below 0.5 A, most", "A", e.small, {}});
     constants.rows.push_back({name});
-    const auto cells = constantCells(h.constants);
+    const auto cells = constantCells(h.constants, kLogs.at(i).kv);
     constants.rows.back().insert(constants.rows.back().end(), cells.begin(), cells.end());
     result.charts.push_back(dutyChart(h, name + ": speed", true));
     result.charts.push_back(dutyChart(h, name + ": current", false));

@@ -54,6 +54,7 @@ class TestPublishedData : public QObject {
   void dataIsComplete();
   void casesSayWhatTheyDid();
   void reportHoldsEveryFigure();
+  void constantsInDoubtAreCalledSo();
   void unknownCaseIsNamed();
 };
 
@@ -158,6 +159,19 @@ void TestPublishedData::reportHoldsEveryFigure() {
   }
   QCOMPARE(csv.count('\n'), figures + 1);
   QVERIFY(!page.contains("http-equiv") && !page.contains("<script") && !page.contains("src="));
+}
+
+/// The plateaus of the nano quadrotor give a speed constant below zero: nobody is to take it for
+/// the motor's.
+void TestPublishedData::constantsInDoubtAreCalledSo() {
+  const CaseResult* nano = find("crazyflie");
+  const CaseResult* steps = find("esc-test");
+  QVERIFY(nano != nullptr && steps != nullptr);
+  const Table& constants = nano->tables.front();
+  QCOMPARE(constants.header.back(), std::string("Doubt"));
+  QCOMPARE(QString::fromStdString(constants.rows.front().back()),
+           QString("Kv, I0 below zero: not determined by the points"));
+  for (const auto& row : steps->tables.front().rows) QCOMPARE(row.back(), std::string("none"));
 }
 
 void TestPublishedData::unknownCaseIsNamed() {

@@ -28,8 +28,8 @@ struct PlotLayout {
 /// that nothing moves under the pointer.
 using LabelWidths = std::vector<qreal>;
 
-/// What becomes of an axis' title that is longer than the axis: one line with the name cut short (on
-/// the screen), or further lines (on paper, where nobody can look closer).
+/// What becomes of an axis' title that is longer than the axis: one line with the name cut short
+/// (on the screen), or further lines (on paper, where nobody can look closer).
 enum class TitleRoom { OneLine, Lines };
 
 PlotLayout layoutPlot(const ChartFrame& frame, const QRectF& area, const QFont& font,

@@ -9,6 +9,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 #include <functional>
+#include <set>
 
 #include "ui/charts/axis_scale.h"
 #include "ui/charts/channel_mime.h"
@@ -140,8 +141,23 @@ QStandardItem* SignalTree::group(const QString& path) {
   return item;
 }
 
+void SignalTree::setPlanned(std::vector<Channel> channels) {
+  planned_ = std::move(channels);
+  takeChannels();
+}
+
+std::vector<Channel> SignalTree::offered() const {
+  std::vector<Channel> all = runs_->channels();
+  std::set<std::string> seen;
+  for (const Channel& channel : all) seen.insert(channel.name);
+  for (const Channel& channel : planned_) {
+    if (seen.insert(channel.name).second) all.push_back(channel);
+  }
+  return all;
+}
+
 void SignalTree::takeChannels() {
-  const auto channels = runs_->channels();
+  const auto channels = offered();
   QSet<QString> keep;
   for (const auto& channel : channels) keep.insert(QString::fromStdString(channel.name));
   for (const auto& channel : channels) {

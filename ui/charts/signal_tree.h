@@ -1,11 +1,14 @@
-// All channels of the shown runs as a tree, split at the dots of their names, with a search field.
-// Channels are dragged to charts or added by double click or Enter. Running again changes nothing
-// but what is new or gone.
+// All channels of the shown runs, and those the open experiment will record, as a tree, split at
+// the dots of their names, with a search field. Channels are dragged to charts or added by double
+// click or Enter. Running again changes nothing but what is new or gone.
 #pragma once
 
 #include <QSet>
 #include <QStringList>
 #include <QWidget>
+#include <vector>
+
+#include "sim/core/channel.h"
 
 class QLineEdit;
 class QSortFilterProxyModel;
@@ -26,6 +29,10 @@ class SignalTree : public QWidget {
 
   [[nodiscard]] QTreeView* view() const { return view_; }
   [[nodiscard]] QLineEdit* search() const { return search_; }
+  /// Channels the experiment will record, to choose from before its first run.
+  void setPlanned(std::vector<Channel> channels);
+  /// Channels of the visible runs, then those planned; each name once.
+  [[nodiscard]] std::vector<Channel> offered() const;
   /// Selected channels; a group stands for all channels in it.
   [[nodiscard]] QStringList selectedChannels() const;
   /// As a document begins: no search, nothing selected, groups closed.
@@ -46,6 +53,7 @@ class SignalTree : public QWidget {
   QStandardItem* group(const QString& path);
 
   RunSet* runs_;
+  std::vector<Channel> planned_;
   QLineEdit* search_;
   QTreeView* view_;
   QWidget* hint_;

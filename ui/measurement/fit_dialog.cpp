@@ -6,6 +6,7 @@
 #include <QFormLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMessageBox>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSplitter>
@@ -16,6 +17,7 @@
 #include <cmath>
 
 #include "sim/core/units.h"
+#include "sim/fitting/doubt.h"
 #include "sim/fitting/provenance.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
@@ -78,6 +80,7 @@ FitDialog::FitDialog(DocumentModel& experiment, const RunList& runs, QWidget* pa
       set_(new QComboBox),
       output_(new QComboBox),
       rows_(new QLabel),
+      verdict_(new QLabel),
       message_(new QLabel),
       table_(new QTableWidget(0, 4)),
       chart_(new ChartPane(&chartRuns_, &link_)),
@@ -145,6 +148,11 @@ QWidget* FitDialog::buildResults() {
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setTabKeyNavigation(false);
   table_->setWordWrap(true);
+  verdict_->setObjectName("fitVerdict");
+  verdict_->setAccessibleName(tr("How the fit ended"));
+  verdict_->setWordWrap(true);
+  verdict_->setTextFormat(Qt::PlainText);
+  verdict_->hide();  // before the first fit
   output_->setObjectName("fitOutput");
   output_->setAccessibleName(tr("Quantity on the chart"));
   connect(output_, &QComboBox::currentIndexChanged, this, &FitDialog::showOutput);
@@ -160,12 +168,17 @@ QWidget* FitDialog::buildResults() {
   results->addWidget(pictures_);
   results->setChildrenCollapsible(false);
   results->setSizes({240, 360});
-  return results;
+  auto* side = new QWidget;
+  auto* lines = new QVBoxLayout(side);
+  lines->setContentsMargins(0, 0, 0, 0);
+  lines->addWidget(verdict_);
+  lines->addWidget(results, 1);
+  return side;
 }
 
 void FitDialog::buildButtons() {
   rows_->setObjectName("fitRows");
-  rows_->setAccessibleName(tr("Rows at the current limit"));
+  rows_->setAccessibleName(tr("What is made of the rows"));
   rows_->setWordWrap(true);
   message_->setObjectName("fitMessage");
   message_->setWordWrap(true);
@@ -212,7 +225,12 @@ void FitDialog::check() {
     const FitStart start = target_.start();
     for (const std::string& line : missingFor(request_.as<FitRequest>(), measured, start))
       lines << toQString(line);
-    rows_->setText(toQString(limitedRowsText(request_.as<FitRequest>(), measured, start)));
+    QStringList rows;
+    for (const std::string& line : {dutyText(request_.as<FitRequest>(), measured, start),
+                                    limitedRowsText(request_.as<FitRequest>(), measured, start)}) {
+      if (!line.empty()) rows << toQString(line);
+    }
+    rows_->setText(rows.join('\n'));
   }
   rows_->setVisible(!rows_->text().isEmpty());
   run_->setEnabled(!running && lines.isEmpty() && !request_.hasErrors());
@@ -250,6 +268,7 @@ void FitDialog::run() {
     return outcome;
   };
   watcher_.setFuture(QtConcurrent::run(job));
+  verdict_->hide();
   message_->setText(tr("Fitting…"));
   bar_->show();
   clock_.start();
@@ -272,7 +291,13 @@ void FitDialog::finish() {
 void FitDialog::showResult() {
   const FitResult& result = outcome_->result;
   const QLocale locale;
-  message_->setText(toQString(result.sentence));
+  const bool doubtful = !doubtsOf(result).empty();
+  verdict_->setText(toQString(verdictOf(result)));
+  QFont font = this->font();
+  font.setBold(doubtful);
+  verdict_->setFont(font);
+  verdict_->show();
+  message_->clear();
   table_->setRowCount(0);
   const auto add = [&](const QStringList& texts) {
     const int row = table_->rowCount();
@@ -338,6 +363,26 @@ void FitDialog::say(const QString& sentence) {
 }
 
 void FitDialog::use() {
+  if (!component_ || !outcome_) return;
+  const std::vector<std::string> doubts = doubtsOf(outcome_->result);
+  if (doubts.empty()) return takeIntoExperiment();
+  QStringList lines;
+  for (const std::string& doubt : doubts) lines << toQString(doubt);
+  auto* box =
+      new QMessageBox(QMessageBox::Warning, tr("Use a doubtful fit"),
+                      tr("The values of this fit are doubtful. Use them in the experiment?"),
+                      QMessageBox::Cancel, this);
+  box->setObjectName("fitDoubtBox");
+  box->setAttribute(Qt::WA_DeleteOnClose);
+  box->setInformativeText(lines.join('\n'));
+  auto* yes = box->addButton(tr("&Use anyway"), QMessageBox::AcceptRole);
+  yes->setObjectName("fitUseAnyway");
+  box->setDefaultButton(QMessageBox::Cancel);
+  connect(yes, &QPushButton::clicked, this, &FitDialog::takeIntoExperiment);
+  box->open();
+}
+
+void FitDialog::takeIntoExperiment() {
   if (!component_) return;
   const QString place = target_.place(asked_);
   target_.use(asked_, *component_);

@@ -1,6 +1,6 @@
 // Fits the open experiment's motor, propeller or lumped rotor to measured data: what is to be found
-// at the left, values with their intervals and measured against fitted at the right. The fit runs
-// on another thread and can be cancelled.
+// at the left, values with their intervals and measured against fitted at the right, below the line
+// that says whether they are in doubt. The fit runs on another thread and can be cancelled.
 #pragma once
 
 #include <QDialog>
@@ -68,7 +68,9 @@ class FitDialog : public QDialog {
   void finish();
   void showResult();
   void showOutput();
+  /// Asks first where the fit is in doubt.
   void use();
+  void takeIntoExperiment();
   void save();
   void say(const QString& sentence);
 
@@ -91,6 +93,7 @@ class FitDialog : public QDialog {
   ParameterForm* form_;
   QComboBox *set_, *output_;
   QLabel* rows_;
+  QLabel* verdict_;  ///< how the fit ended and what is doubtful of it
   QLabel* message_;
   QTableWidget* table_;
   ChartPane* chart_;

@@ -5,6 +5,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/experiment/drive_stand.h"
+#include "sim/fitting/doubt.h"
 #include "sim/propulsion/rotor.h"
 #include "ui/forms/field_text.h"
 #include "ui/forms/snapshot.h"
@@ -49,7 +50,6 @@ std::optional<RotorCoefficients> lumpedIn(schema::ConstRef root) {
     return std::nullopt;
   }
   RotorCoefficients rotor;
-  rotor.inflow = {};
   rotor.diameter = diameter;
   rotor.thrust = ct / thrustCoefficientOf(1, rotor.referenceDensity, diameter);
   rotor.torque = cp / powerCoefficientOf(1, rotor.referenceDensity, diameter);
@@ -62,7 +62,10 @@ struct ComponentOf {
   const std::string& source;
   const RotorCoefficients lumped;
 
-  [[nodiscard]] ComponentInfo info(const char* summary) const { return {{}, summary, source, {}}; }
+  /// A doubtful value is known for one wherever it is picked later.
+  [[nodiscard]] ComponentInfo info(const char* summary) const {
+    return {{}, summary, source, doubtsOf(result).empty() ? std::string() : verdictOf(result)};
+  }
   Component operator()(const MotorFitRequest& r) const {
     return makeComponent(info("Motor constants fitted to measured data"),
                          motorFrom(result, setupOf(r, start)).motor);
@@ -107,6 +110,7 @@ FitStart FitTarget::start() const {
   if (const auto* propeller = objectIn<PropellerGeometry>(root)) start.propeller = *propeller;
   if (const auto* settings = objectIn<BladeElementSettings>(root)) start.settings = *settings;
   if (const auto lumped = lumpedIn(root)) {
+    start.coefficientsAreGuesses = false;
     start.thrustCoefficient = lumped->thrust;
     start.torqueCoefficient = lumped->torque;
   }

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
+#include "sim/experiment/experiment.h"
 #include "ui/shell/theme.h"
 #include "ui/shell/tools.h"
 
@@ -98,9 +99,25 @@ QMenu* addMenu(QMainWindow& window, const char* title, const char* name) {
   return menu;
 }
 
+/// One entry for each kind of experiment.
+QMenu* newOfKindMenu(QMainWindow& window) {
+  auto* menu = new QMenu(tr("New of &kind"), &window);
+  menu->setObjectName("menuNewOfKind");
+  const auto& kinds = schema::typeOf<Experiment>().field("setup")->options;
+  for (std::size_t kind = 0; kind < kinds.size(); ++kind) {
+    QAction* action = menu->addAction(QString::fromStdString(kinds[kind].label));
+    action->setObjectName("new:" + QString::fromStdString(kinds[kind].key));
+    action->setData(static_cast<uint>(kind));
+  }
+  return menu;
+}
+
 void buildMenus(Actions& a, QMainWindow& window) {
   QMenu* file = addMenu(window, "&File", "menuFile");
-  file->addActions({a.create, a.open});
+  file->addAction(a.create);
+  a.newOfKind = newOfKindMenu(window);
+  file->addMenu(a.newOfKind);
+  file->addAction(a.open);
   a.recent = file->addMenu(tr("Open &recent"));
   a.recent->setObjectName("menuRecent");
   file->addAction(a.gallery);
@@ -137,6 +154,9 @@ void buildToolBar(Actions& a, QMainWindow& window) {
   bar->addActions({a.undo, a.redo});
   bar->addSeparator();
   bar->addActions({a.run, a.pause, a.step, a.stop});
+  auto* create = qobject_cast<QToolButton*>(bar->widgetForAction(a.create));
+  create->setMenu(a.newOfKind);
+  create->setPopupMode(QToolButton::MenuButtonPopup);
   // The one button a newcomer looks for says its name.
   auto* run = qobject_cast<QToolButton*>(bar->widgetForAction(a.run));
   run->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

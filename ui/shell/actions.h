@@ -16,7 +16,7 @@ namespace rotorbench {
 struct Actions {
   // File
   QAction *gallery, *create, *open, *save, *saveAs, *exportFigures, *quit;
-  QMenu* recent;
+  QMenu *recent, *newOfKind;  ///< newOfKind: data() of its actions is the alternative of `setup`
   // Edit
   QAction *undo, *redo;
   // Run

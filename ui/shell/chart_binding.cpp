@@ -1,17 +1,20 @@
 #include "ui/shell/chart_binding.h"
 
+#include "sim/experiment/default_charts.h"
 #include "sim/experiment/experiment.h"
 
 namespace rotorbench {
 
 namespace {
 const QString kCharts = QStringLiteral("outputs.charts");
-}
+const QString kSetup = QStringLiteral("setup");
+}  // namespace
 
 ChartBinding::ChartBinding(DocumentModel& model, ChartGrid& charts, QObject* parent)
     : QObject(parent), model_(model), charts_(charts) {
   const auto follow = [this](const QString& path) {
-    if (isAtOrBelow(path, kCharts) || isAtOrBelow(kCharts, path)) toCharts();
+    // Another kind of experiment has other charts, where the document names none.
+    if (isAtOrBelow(path, kCharts) || isAtOrBelow(kCharts, path) || path == kSetup) toCharts();
   };
   connect(&model_, &DocumentModel::valueChanged, this, follow);
   connect(&model_, &DocumentModel::structureChanged, this, follow);
@@ -21,13 +24,14 @@ ChartBinding::ChartBinding(DocumentModel& model, ChartGrid& charts, QObject* par
 }
 
 void ChartBinding::toCharts() {
-  const auto& wanted = model_.as<Experiment>().outputs.charts;
+  const std::vector<ChartSpec> wanted = chartsOf(model_.as<Experiment>());
   if (!writing_ && charts_.specs() != wanted) charts_.setSpecs(wanted);
 }
 
 void ChartBinding::toDocument() {
-  OutputSettings outputs = model_.as<Experiment>().outputs;
-  if (outputs.charts == charts_.specs()) return;
+  const auto& experiment = model_.as<Experiment>();
+  if (chartsOf(experiment) == charts_.specs()) return;
+  OutputSettings outputs = experiment.outputs;
   outputs.charts = charts_.specs();
   const schema::Field* field = schema::typeOf<OutputSettings>().field("charts");
   writing_ = true;

@@ -1,5 +1,6 @@
 // Keeps the charts on screen and `outputs.charts` of the document the same: what a person does to a
-// chart is an edit of the experiment and can be undone.
+// chart is an edit of the experiment and can be undone. A document that names no charts shows those
+// of its kind.
 #pragma once
 
 #include <QObject>

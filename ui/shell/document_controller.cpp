@@ -36,8 +36,10 @@ QString DocumentController::displayName() const {
   return file_.isEmpty() ? QString::fromStdString(experiment().title) : QFileInfo(file_).fileName();
 }
 
-void DocumentController::startNew() {
-  take(Experiment{}, {}, {});
+void DocumentController::startNew(std::size_t kind) {
+  Experiment experiment;
+  schema::typeOf<Experiment>().field("setup")->choose(&experiment, kind);
+  take(std::move(experiment), {}, {});
 }
 
 void DocumentController::open(const QString& file, bool asTemplate) {

@@ -35,7 +35,8 @@ class DocumentController : public QObject {
   /// What a person calls the document: its file name, else its title.
   [[nodiscard]] QString displayName() const;
 
-  void startNew();
+  /// A new experiment of one kind: the alternative of `setup`.
+  void startNew(std::size_t kind = 0);
   /// Reads the file in the background; opened() or failed() follows. A template (gallery card) is
   /// opened as a new document without a file of its own.
   void open(const QString& file, bool asTemplate = false);

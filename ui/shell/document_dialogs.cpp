@@ -54,8 +54,8 @@ DocumentDialogs::DocumentDialogs(DocumentController& documents, QWidget& window)
           });
 }
 
-void DocumentDialogs::startNew() {
-  guard([this] { documents_.startNew(); });
+void DocumentDialogs::startNew(std::size_t kind) {
+  guard([this, kind] { documents_.startNew(kind); });
 }
 
 void DocumentDialogs::openWithDialog() {

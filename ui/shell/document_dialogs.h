@@ -17,7 +17,8 @@ class DocumentDialogs : public QObject {
  public:
   DocumentDialogs(DocumentController& documents, QWidget& window);
 
-  void startNew();
+  /// `kind`: the alternative of `setup`.
+  void startNew(std::size_t kind = 0);
   void openWithDialog();
   /// `asTemplate`: a ready experiment from the gallery.
   void openFile(const QString& file, bool asTemplate = false);

@@ -116,7 +116,7 @@ void MainWindow::buildPages() {
   connect(gallery_, &Gallery::fileChosen, this, &MainWindow::openFile);
   connect(gallery_, &Gallery::openRequested, dialogs_, &DocumentDialogs::openWithDialog);
   connect(gallery_, &Gallery::backRequested, this, &MainWindow::showWorkbench);
-  connect(gallery_, &Gallery::newRequested, dialogs_, &DocumentDialogs::startNew);
+  connect(gallery_, &Gallery::newRequested, this, [this] { dialogs_->startNew(); });
   connect(&documents_, &DocumentController::opened, this, &MainWindow::showWorkbench);
   connect(&documents_, &DocumentController::titleChanged, this, &MainWindow::updateTitle);
   connect(desk_, &RunDesk::message, this, &MainWindow::say);
@@ -132,7 +132,9 @@ void MainWindow::buildPages() {
 void MainWindow::connectFileActions() {
   const Actions& a = actions_;
   connect(a.gallery, &QAction::triggered, this, &MainWindow::showGallery);
-  connect(a.create, &QAction::triggered, dialogs_, &DocumentDialogs::startNew);
+  connect(a.create, &QAction::triggered, this, [this] { dialogs_->startNew(); });
+  connect(a.newOfKind, &QMenu::triggered, this,
+          [this](const QAction* kind) { dialogs_->startNew(kind->data().toUInt()); });
   connect(a.open, &QAction::triggered, dialogs_, &DocumentDialogs::openWithDialog);
   connect(a.save, &QAction::triggered, dialogs_, &DocumentDialogs::save);
   connect(a.saveAs, &QAction::triggered, dialogs_, &DocumentDialogs::saveAs);
@@ -267,7 +269,7 @@ void MainWindow::updateRunActions() {
   actions_.stop->setEnabled(bench && active);
   actions_.pace->setEnabled(bench && RunDesk::isPaced(documents_.experiment()));
   actions_.exportFigures->setEnabled(bench);
-  status_->showRun(desk_->status());
+  if (openedOnce_) status_->showRun(desk_->status());
 }
 
 void MainWindow::chooseTheme(const QString& key) {

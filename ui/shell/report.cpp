@@ -4,6 +4,7 @@
 #include <QFileInfo>
 
 #include "sim/core/error.h"
+#include "sim/experiment/default_charts.h"
 #include "sim/experiment/scene_model.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/export_figure.h"
@@ -35,7 +36,7 @@ void writeCharts(const Experiment& experiment, const std::vector<RunOutput>& run
   set.setRuns(std::move(shown));
   ChartGrid grid(&set);
   grid.resize(kGridSize);
-  grid.setSpecs(experiment.outputs.charts);
+  grid.setSpecs(chartsOf(experiment));
   grid.refresh();
   const QString problem = exportAllPanes(grid, folder, FigureFormat::Png);
   if (!problem.isEmpty()) fail(problem);
@@ -59,7 +60,7 @@ std::vector<std::filesystem::path> writeReportImages(const Experiment& experimen
   const QDir folder(QString::fromStdString(directory.string()));
   if (!folder.mkpath(".")) fail(QString("The folder “%1” cannot be made.").arg(folder.path()));
   const QDateTime begin = QDateTime::currentDateTime().addMSecs(-1000);
-  if (!experiment.outputs.charts.empty()) writeCharts(experiment, runs, folder.path());
+  writeCharts(experiment, runs, folder.path());
   const auto model = sceneModel(experiment);
   if (model && !runs.empty()) writeScene(*model, runs.front(), folder.filePath("scene.png"));
   std::vector<std::filesystem::path> files;

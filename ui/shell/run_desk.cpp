@@ -34,7 +34,12 @@ std::optional<SceneModel> vehicleOf(const Experiment& experiment) {
 
 RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
                  RunController& controller, QObject* parent)
-    : QObject(parent), documents_(documents), bench_(bench), runs_(runs), controller_(controller) {
+    : QObject(parent),
+      documents_(documents),
+      bench_(bench),
+      runs_(runs),
+      controller_(controller),
+      planned_(documents) {
   DocumentModel& model = documents_.model();
   drawTimer_.setSingleShot(true);
   drawTimer_.setInterval(kRedrawMilliseconds);
@@ -43,6 +48,9 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
   connect(&model, &DocumentModel::structureChanged, &drawTimer_, qOverload<>(&QTimer::start));
   connect(&documents_, &DocumentController::opened, this, &RunDesk::onDocumentOpened);
   model.setExtraValidator([this](schema::ConstRef) { return doubts(); });
+  connect(&planned_, &PlannedChannels::found, this, [this](const std::vector<Channel>& channels) {
+    bench_.signalTree().setPlanned(channels);
+  });
   connect(&controller_, &RunController::updated, this, &RunDesk::onUpdated);
   connect(&controller_, &RunController::stateChanged, this, &RunDesk::onStateChanged);
   connect(&runs_, &RunList::runsChanged, this, &RunDesk::fillRunSet);
@@ -60,7 +68,7 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
           &ExperimentPanel::jumpTo);
   bench_.experiment().setChannelNames([this] {
     QStringList names;
-    for (const Channel& channel : bench_.runSet().channels())
+    for (const Channel& channel : bench_.signalTree().offered())
       names << QString::fromStdString(channel.name);
     return names;
   });
@@ -126,7 +134,8 @@ void RunDesk::onDocumentOpened() {
   bench_.metrics().setMetrics({}, {});
   drawDocument();
   fillRunSet();
-  // How the other document was looked at is no view of this one. Last: the scene's time is a cursor.
+  // How the other document was looked at is no view of this one. Last: the scene's time is a
+  // cursor.
   bench_.scene().resetView();
   bench_.charts().resetView();
   bench_.signalTree().resetView();

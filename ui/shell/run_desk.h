@@ -9,6 +9,7 @@
 
 #include "ui/runs/run_controller.h"
 #include "ui/shell/document_controller.h"
+#include "ui/shell/planned_channels.h"
 #include "ui/shell/workbench.h"
 
 namespace rotorbench {
@@ -28,9 +29,9 @@ class RunDesk : public QObject {
   void step();
   /// Speed for experiments that are flown; comparisons always run as fast as possible.
   void setPace(Pace pace);
-  [[nodiscard]] static bool isPaced(const Experiment& experiment);
-  /// Of the run of this document; idle while it has none.
+  /// How the last run of the open document goes or went; idle before its first.
   [[nodiscard]] RunStatus status() const;
+  [[nodiscard]] static bool isPaced(const Experiment& experiment);
 
  signals:
   /// One sentence for the status bar.
@@ -62,6 +63,7 @@ class RunDesk : public QObject {
     std::vector<Problem> problems;
   };
   std::optional<Rejected> rejected_;
+  PlannedChannels planned_;
   QTimer drawTimer_;
   Pace pace_;
   int shown_ = 0;            ///< the run in the scene

@@ -36,7 +36,7 @@ QString stateText(const RunStatus& status) {
   const QString time = QLocale().toString(status.progress.time, 'f', 2);
   switch (status.state) {
     case RunState::Idle:
-      return {};
+      return StatusBar::tr("Not run yet");
     case RunState::Building:
       return StatusBar::tr("Preparing the run");
     case RunState::Running:

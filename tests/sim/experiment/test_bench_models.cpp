@@ -256,7 +256,7 @@ class TestBenchModels : public QObject {
     const PropellerCoefficients c;
     bench.propeller = c;
     RotorCoefficients k;
-    k.inflow.flapping = 1e-6;
+    k.inflow = {1.19e-4, 2.32e-4, 3.39e-3, 1e-6};
     bench.second = k;
     const auto simulation = finished(experimentOf(bench));
     const Recording& r = run(*simulation, "Over advance ratio, propeller coefficients");

@@ -58,6 +58,7 @@ void TestDriveJacobian::exactJacobianEqualsCentralDifferences() {
   }
   setup.motor.viscousShare = 0.3;
   setup.motor.maxCurrent = 100;
+  setup.esc.maxCurrent = 30;
   setup.esc.reverse = true;
   setup.esc.activeBraking = braking;
   setup.load.quadratic = {50, {}};

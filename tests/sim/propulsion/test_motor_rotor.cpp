@@ -7,6 +7,19 @@
 using namespace rotorbench;
 using Eigen::Vector3d;
 
+namespace {
+
+/// AscTec Hummingbird: RotorPy, vehicles/hummingbird_params.py.
+RotorCoefficients hummingbirdRotor() {
+  return {.thrust = 5.57e-6,
+          .torque = 1.36e-7,
+          .inflow = {1.19e-4, 2.32e-4, 3.39e-3, 0},
+          .referenceDensity = 1.225,
+          .diameter = 0.2032};
+}
+
+}  // namespace
+
 class TestMotorRotor : public QObject {
   Q_OBJECT
  private slots:
@@ -112,14 +125,14 @@ void TestMotorRotor::hoverSpeedIsThePublishedOne() {
   QFETCH(double, mass);
   QFETCH(double, speed);
   RotorParameters p;
-  if (hummingbird) p.aerodynamics = RotorCoefficients{};
+  if (hummingbird) p.aerodynamics = hummingbirdRotor();
   const auto load = buildRotor(p).load(speed, Vector3d(0, 0, 0), Vector3d::UnitZ(), 1, 1.225);
   QVERIFY(std::abs(4 * load.thrust / (mass * 9.80665) - 1) < 0.003);
 }
 
 /// T = k_eta w^2 + k_h |v_xy|^2 - k_z w v_z; H = -k_d w v_xy; M = -k_flap w (v x axis): RotorPy.
 void TestMotorRotor::movingAirActsAsPublished() {
-  RotorCoefficients c;
+  RotorCoefficients c = hummingbirdRotor();
   c.inflow.flapping = 2e-5;
   RotorParameters p;
   p.aerodynamics = c;
@@ -142,7 +155,7 @@ void TestMotorRotor::movingAirActsAsPublished() {
 
 void TestMotorRotor::forcesScaleWithDensity() {
   RotorParameters p;
-  p.aerodynamics = RotorCoefficients{};
+  p.aerodynamics = hummingbirdRotor();
   const RotorConstants r = buildRotor(p);
   const Vector3d v(3, -4, 2);
   const auto thick = r.load(500.0, v, Vector3d::UnitZ(), -1, 1.225);

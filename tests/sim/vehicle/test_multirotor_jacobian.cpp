@@ -38,7 +38,7 @@ void TestMultirotorJacobian::exactJacobianEqualsCentralDifferences() {
   QFETCH(EscParameters, esc);
   VehicleParameters v;
   RotorCoefficients rotor;
-  rotor.inflow.flapping = 1e-5;
+  rotor.inflow = {1.19e-4, 2.32e-4, 3.39e-3, 1e-5};
   std::get<EqualRotors>(v.rotors).rotor.aerodynamics = rotor;
   std::get<EqualRotors>(v.rotors).rotor.esc = esc;
   v.drag = {0.05, {0.01, 0.02, 0.03}, {0.001, 0.002, 0.003}};

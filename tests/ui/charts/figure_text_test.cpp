@@ -1,5 +1,6 @@
-// No text of an exported figure is cut: every name of the legend, title and axis stands whole inside
-// the figure, in every chart of every shipped experiment and every form a chart leaves the program in.
+// No text of an exported figure is cut: every name of the legend, title and axis stands whole
+// inside the figure, in every chart of every shipped experiment and every form a chart leaves the
+// program in.
 #include <QDirIterator>
 #include <QFileInfo>
 #include <QTemporaryDir>

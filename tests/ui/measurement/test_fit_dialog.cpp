@@ -4,6 +4,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QSettings>
 #include <QTableWidget>
@@ -56,11 +57,13 @@ std::shared_ptr<const Recording> logOf(const MotorParameters& motor, int steps =
 
 struct Fixture {
   MotorParameters truth;
-  DocumentModel model{makeDocument(standWithMotor({}))};
+  DocumentModel model;
   RunList runs;
   QPointer<FitDialog> dialog;
 
-  explicit Fixture(bool withData = true, int steps = 13) {
+  /// `start`: the motor the experiment has before.
+  explicit Fixture(bool withData = true, int steps = 13, const MotorParameters& start = {})
+      : model(makeDocument(standWithMotor(start))) {
     truth.speedConstant = 1100 * kRpm;
     truth.resistance = 0.15;
     truth.noLoadCurrent = 0.8;
@@ -75,6 +78,17 @@ struct Fixture {
 
   QPushButton* button(const char* name) { return dialog->findChild<QPushButton*>(name); }
   void click(const char* name) { QTest::mouseClick(button(name), Qt::LeftButton); }
+  QString verdict() { return dialog->findChild<QLabel*>("fitVerdict")->text(); }
+  /// The question about a doubtful fit, if it is asked.
+  QMessageBox* question() {
+    auto* box = dialog->findChild<QMessageBox*>("fitDoubtBox");
+    return box != nullptr && box->isVisible() ? box : nullptr;
+  }
+  /// Into the experiment, doubtful or not.
+  void use() {
+    click("fitUse");
+    if (question() != nullptr) click("fitUseAnyway");
+  }
   QString message() { return dialog->findChild<QLabel*>("fitMessage")->text(); }
   /// The text in the row of the table that begins with these words.
   QString cell(const QString& first, int column) {
@@ -119,7 +133,7 @@ class TestFitDialog : public QObject {
     f.fit();
     QVERIFY2(f.cell("Resistance", 2).contains("\u00B1"), qPrintable(f.cell("Resistance", 2)));
     // The scatter of the log is a tenth of a percent.
-    f.click("fitUse");
+    f.use();
     QVERIFY2(std::abs(f.motor().resistance / f.truth.resistance - 1) < 0.05,
              qPrintable(QString::number(f.motor().resistance)));
     QVERIFY(std::abs(f.motor().speedConstant / f.truth.speedConstant - 1) < 0.01);
@@ -128,6 +142,43 @@ class TestFitDialog : public QObject {
     f.model.undoStack()->undo();
     QVERIFY(f.motor() == MotorParameters{});
     QCOMPARE(f.dialog->findChild<QComboBox*>("fitOutput")->count(), 2);
+  }
+
+  /// The no-load current is 78 % above that of the experiment: said in the line above the values,
+  /// and asked about.
+  void asksBeforeADoubtfulFitIsUsed() {
+    Fixture f;
+    QVERIFY(!f.dialog->findChild<QLabel*>("fitVerdict")->isVisible());
+    f.fit();
+    QVERIFY2(f.verdict().startsWith("Doubtful. ") && f.verdict().contains("No-load current: 0.8") &&
+                 f.verdict().contains("% above its start of 0.45 A."),
+             qPrintable(f.verdict()));
+    QVERIFY(f.dialog->findChild<QLabel*>("fitVerdict")->isVisible());
+    f.click("fitUse");
+    QVERIFY(f.question() != nullptr);
+    QVERIFY2(f.question()->informativeText().contains("No-load current: 0.8"),
+             qPrintable(f.question()->informativeText()));
+    QTest::mouseClick(f.question()->button(QMessageBox::Cancel), Qt::LeftButton);
+    QTRY_VERIFY(f.question() == nullptr);
+    QVERIFY(f.motor() == MotorParameters{});
+    f.click("fitUse");
+    QTRY_VERIFY(f.question() != nullptr);
+    f.click("fitUseAnyway");
+    QTRY_VERIFY(f.motor() != MotorParameters{});
+    QVERIFY2(f.message().contains("Undo"), qPrintable(f.message()));
+  }
+
+  void trustsAFitNearItsStart() {
+    MotorParameters start;
+    start.speedConstant = 1050 * kRpm;
+    start.resistance = 0.14;
+    start.noLoadCurrent = 0.75;
+    Fixture f(true, 13, start);
+    f.fit();
+    QCOMPARE(f.verdict(), QString("Converged."));
+    f.click("fitUse");
+    QVERIFY(f.question() == nullptr);
+    QVERIFY(f.motor() != start);
   }
 
   void savesWithItsSource() {
@@ -148,6 +199,7 @@ class TestFitDialog : public QObject {
     QVERIFY(found != library.entries().end());
     QVERIFY(found->component.info.source.find("stand.csv") != std::string::npos);
     QVERIFY(found->component.as<MotorParameters>() != nullptr);
+    QCOMPARE(QString::fromStdString(found->component.info.warning), f.verdict());
   }
 
   /// The log has no thrust, so a lumped rotor cannot be found: the missing column is named.
@@ -174,7 +226,7 @@ class TestFitDialog : public QObject {
                                    "limit of 20 A."),
              qPrintable(rows->text()));
     f.fit();
-    f.click("fitUse");
+    f.use();
     const double biased = f.motor().resistance;
     QVERIFY2(std::abs(biased / f.truth.resistance - 1) > 0.2, qPrintable(QString::number(biased)));
     f.model.undoStack()->undo();
@@ -184,7 +236,7 @@ class TestFitDialog : public QObject {
     QTest::keyClick(box, Qt::Key_Space);
     QTRY_VERIFY2(rows->text().contains("of 17 rows are left out"), qPrintable(rows->text()));
     f.fit();
-    f.click("fitUse");
+    f.use();
     QVERIFY2(std::abs(f.motor().resistance / f.truth.resistance - 1) < 0.05,
              qPrintable(QString::number(f.motor().resistance)));
     // A limit of one's own: above all currents nothing is left out.
@@ -194,8 +246,9 @@ class TestFitDialog : public QObject {
     limit->selectAll();
     QTest::keyClicks(limit, "60");
     QTest::keyClick(limit, Qt::Key_Return);
-    QTRY_COMPARE(rows->text(), QString("0 of 17 rows are left out: they are at or near the current "
-                                       "limit of 60 A."));
+    QTRY_VERIFY2(rows->text().endsWith("0 of 17 rows are left out: they are at or near the current "
+                                       "limit of 60 A."),
+                 qPrintable(rows->text()));
   }
 
   void closesWhileItFits() {
