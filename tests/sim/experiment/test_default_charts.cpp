@@ -18,7 +18,8 @@ Experiment newOfKind(std::size_t kind) {
 
 QStringList channelsOf(const Experiment& experiment) {
   QStringList names;
-  for (const RunOutput& run : buildSimulation(experiment)->runs()) {
+  const auto simulation = buildSimulation(experiment);
+  for (const RunOutput& run : simulation->runs()) {
     for (const Channel& channel : run.recording->channels())
       names << QString::fromStdString(channel.name);
   }

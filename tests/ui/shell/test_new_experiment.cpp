@@ -139,7 +139,8 @@ void TestNewExperiment::newOfEveryKind() {
     QTRY_COMPARE(hintOf(*pane), QString("Press Run (F5) to fill this chart."));
   for (const QString& channel : channels)
     QTRY_VERIFY2(signalsShown(window).contains(channel), qPrintable(channel));
-  QVERIFY(!signalsShown(window).contains("bar.length"));
+  // What the run before had and this one has not is gone; a new birotor has the same bar.
+  QCOMPARE(signalsShown(window).contains("bar.length"), kind == "birotor");
 
   choosePace(window, "As fast as possible");
   clickAction(window, "actionRun");
@@ -184,7 +185,10 @@ void TestNewExperiment::chartsOfOnesOwnAreKept() {
   QTRY_VERIFY(window.workbench().isVisible());
   const auto count = window.workbench().charts().panes().size();
   QVERIFY(count >= 3);
-  window.workbench().charts().removePane(window.workbench().charts().panes().front());
+  ChartPane* first = window.workbench().charts().panes().front();
+  auto* remove = first->findChild<QAction*>("removeChart");
+  QVERIFY(remove != nullptr);
+  remove->trigger();
   QTRY_COMPARE(window.documents().experiment().outputs.charts.size(), count - 1);
   QCOMPARE(window.workbench().charts().panes().size(), count - 1);
   clickAction(window, "actionUndo");
