@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/core/channel.h"
-#include "sim/experiment/chart_spec.h"
+#include "sim/document/chart_spec.h"
 
 namespace rotorbench {
 

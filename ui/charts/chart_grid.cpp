@@ -1,5 +1,6 @@
 #include "ui/charts/chart_grid.h"
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QElapsedTimer>
 #include <QFileDialog>
@@ -115,7 +116,14 @@ void ChartGrid::resetView() {
   link_.reset();
   for (auto* pane : panes_) pane->resetView();
   place(usualRows(panes_));
-  setCurrentPane(panes_.empty() ? nullptr : panes_.front());
+  const auto toFirst = [this] {
+    if (panes_.empty()) return setCurrentPane(nullptr);
+    if (isAncestorOf(QApplication::focusWidget())) panes_.front()->plot()->setFocus();
+    setCurrentPane(panes_.front());
+  };
+  toFirst();
+  // And once more when the page is there: the keyboard then comes to whichever chart Qt finds first.
+  QMetaObject::invokeMethod(this, toFirst, Qt::QueuedConnection);
 }
 
 std::vector<ChartSpec> ChartGrid::specs() const {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/experiment/chart_spec.h"
+#include "sim/document/chart_spec.h"
 #include "ui/charts/chart_link.h"
 #include "ui/charts/pane_area.h"
 #include "ui/charts/run_arrivals.h"

@@ -17,7 +17,8 @@ namespace rotorbench {
 namespace {
 
 constexpr double kLegendShare = 0.35;
-constexpr int kLeastHeightOverLegend = 250;
+constexpr int kReadable = 190;  // px, with the legend beside the plot
+constexpr int kReadableOverLegend = 250;
 constexpr int kLowPane = 280;           // px; below this the legend stands beside the plot,
 constexpr double kLegendColumns = 1.5;  // if the pane is this much wider than high
 
@@ -187,10 +188,12 @@ void ChartPane::resizeEvent(QResizeEvent* event) {
   markStale();
 }
 
+int ChartPane::readableHeight(int width) {
+  return width > kLegendColumns * kReadable ? kReadable : kReadableOverLegend;
+}
+
 /// In a low, wide pane the legend stands beside the plot, which needs the height.
 void ChartPane::placeLegend() {
-  const bool wide = width() > kLegendColumns * kLeastHeight;
-  setMinimumHeight(wide ? kLeastHeight : kLeastHeightOverLegend);
   const bool beside = height() < kLowPane && width() > kLegendColumns * height();
   content_->setDirection(beside ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
   legend_->setMostWidth(beside ? std::clamp(width() * 9 / 20, 120, 260) : 0);

@@ -30,12 +30,13 @@ class ChartPane : public QFrame {
   /// Rows one refresh reads that were not read before: keeps a refresh short when a long recording
   /// is opened.
   static constexpr std::size_t kRowsPerRefresh = 1'000'000;
-  /// Below this the ticks of an axis cannot be read, in px.
-  static constexpr int kLeastWidth = 200, kLeastHeight = 190;
 
   /// `runs` and `link` are shared with other panes and outlive this one.
   ChartPane(RunSet* runs, ChartLink* link, QWidget* parent = nullptr);
   ~ChartPane() override;
+
+  /// Height in px from which curves and ticks of a pane this wide can be read.
+  [[nodiscard]] static int readableHeight(int width);
 
   [[nodiscard]] const ChartSpec& spec() const { return spec_; }
   void setSpec(const ChartSpec& spec);

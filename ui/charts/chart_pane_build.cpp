@@ -45,7 +45,7 @@ void ChartPane::build() {
   setAccessibleName(tr("Chart"));
   setAcceptDrops(true);
   setAutoFillBackground(false);
-  setMinimumSize(kLeastWidth, kLeastHeight);
+  setMinimumSize(200, 150);
   title_ = new QLineEdit(this);
   title_->setObjectName(QStringLiteral("chartTitle"));
   title_->setAccessibleName(tr("Chart title"));

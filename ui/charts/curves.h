@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sim/core/recording.h"
-#include "sim/experiment/chart_spec.h"
+#include "sim/document/chart_spec.h"
 #include "ui/charts/chart_theme.h"
 #include "ui/charts/run_set.h"
 

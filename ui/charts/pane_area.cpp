@@ -16,12 +16,34 @@ void shareEvenly(QSplitter* splitter) {
   splitter->setSizes(sizes);
 }
 
-QSplitter* makeSplitter(Qt::Orientation orientation, QWidget* parent) {
-  auto* splitter = new QSplitter(orientation, parent);
+void prepare(QSplitter* splitter) {
   splitter->setChildrenCollapsible(false);
   splitter->setHandleWidth(4);
-  return splitter;
 }
+
+/// Panes side by side, as high as they must be to be read.
+class PaneRow : public QSplitter {
+ public:
+  explicit PaneRow(QWidget* parent) : QSplitter(Qt::Horizontal, parent) {
+    prepare(this);
+    connect(this, &QSplitter::splitterMoved, this, &QWidget::updateGeometry);
+  }
+
+  QSize minimumSizeHint() const override {
+    QSize least = QSplitter::minimumSizeHint();
+    for (int i = 0; i < count(); ++i) {
+      if (!widget(i)->isHidden())
+        least.setHeight(std::max(least.height(), ChartPane::readableHeight(widget(i)->width())));
+    }
+    return least;
+  }
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override {
+    QSplitter::resizeEvent(event);
+    updateGeometry();
+  }
+};
 
 }  // namespace
 
@@ -49,10 +71,11 @@ PaneArea::PaneArea(QWidget* parent) : QScrollArea(parent) {
 
 void PaneArea::place(const PaneRows& rows) {
   rows_ = rows;
-  auto* column = makeSplitter(Qt::Vertical, this);
+  auto* column = new QSplitter(Qt::Vertical, this);
+  prepare(column);
   column->setObjectName(QStringLiteral("chartColumn"));
   for (const auto& row : rows_) {
-    auto* line = makeSplitter(Qt::Horizontal, column);
+    auto* line = new PaneRow(column);
     for (auto* pane : row) {
       line->addWidget(pane);
       pane->show();

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "sim/core/recording.h"
-#include "sim/experiment/simulation.h"
+#include "sim/run/simulation.h"
 #include "ui/charts/column_summary.h"
 
 namespace rotorbench {

@@ -61,9 +61,11 @@ QString stateDetail(const RunRecord& record) {
 
 QString runDetail(const RunRecord& record) {
   const QStringList verdicts = verdictTexts(record.status);
-  // The first one leads: the others mostly follow from it.
-  return verdicts.empty() ? stateDetail(record)
-                          : RunList::tr("%1: %2").arg(stateDetail(record), verdicts.first());
+  if (verdicts.empty()) return stateDetail(record);
+  // The first one leads: the others mostly follow from it. It matters more than how long it took.
+  const QString state =
+      record.status.state == RunState::Finished ? RunList::tr("Finished") : stateDetail(record);
+  return RunList::tr("%1: %2").arg(state, verdicts.first());
 }
 
 RunList::RunList(QObject* parent) : QAbstractListModel(parent) {}

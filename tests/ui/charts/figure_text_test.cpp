@@ -8,8 +8,8 @@
 
 #include "chart_fixture.h"
 #include "placed_texts.h"
-#include "sim/experiment/experiment_file.h"
-#include "sim/experiment/simulation.h"
+#include "sim/document/experiment_file.h"
+#include "sim/run/simulation.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/export_figure.h"
@@ -91,15 +91,17 @@ void checkPicture(const QImage& image, const Page& drawing) {
 }
 
 /// Exports the chart in all forms and reads it back.
-void checkFigure(const ChartPane& pane, const QDir& folder) {
+void checkFigure(const ChartPane& pane, const QDir& folder, bool onlyDrawing = false) {
   const QString title = QString::fromStdString(pane.spec().title);
   QStringList wanted = legendNames(pane);
   if (!title.isEmpty()) wanted << title;
-  for (const char* form : {"svg", "pdf", "png"})
+  for (const char* form : {"svg", "pdf", "png"}) {
+    if (onlyDrawing && form != std::string_view("svg")) continue;
     QCOMPARE(exportPane(pane, folder.filePath(QString("figure.") + form)), QString());
+  }
   const Page drawing = fixture::svgPage(read(folder.filePath("figure.svg")));
   checkPage(drawing, wanted);
-  if (QTest::currentTestFailed()) return;
+  if (QTest::currentTestFailed() || onlyDrawing) return;
   const Page page = fixture::pdfPage(folder.filePath("figure.pdf"));
   if (!page.texts.isEmpty()) checkPage(page, wanted);
   if (QTest::currentTestFailed()) return;
@@ -177,7 +179,7 @@ void FigureTextTest::shippedExperiments() {
   grid.setSpecs(experiment.outputs.charts);
   QVERIFY(!grid.panes().empty());
   for (const ChartPane* pane : grid.panes()) {
-    checkFigure(*pane, folder_.path());
+    checkFigure(*pane, folder_.path(), twice);  // a second run adds names, not forms
     if (QTest::currentTestFailed()) qWarning("in %s", pane->spec().title.c_str());
     if (QTest::currentTestFailed()) return;
   }
