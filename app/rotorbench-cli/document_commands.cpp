@@ -4,7 +4,7 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 
 namespace rotorbench::cli {
 

@@ -4,8 +4,8 @@
 #include <iostream>
 
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/experiment_file.h"
-#include "sim/experiment/preflight.h"
+#include "sim/document/experiment_file.h"
+#include "sim/run/preflight.h"
 
 namespace rotorbench::cli {
 
@@ -27,7 +27,7 @@ Experiment loadEdited(const std::string& file, const std::vector<std::string>& e
   for (const auto& edit : edits) applyEdit(schema::ref(experiment), edit);
   const std::string source = edits.empty() ? file : "--set";
   sayWarnings(source, schema::validate(schema::ref(experiment)));
-  sayWarnings(source, flightWarnings(experiment));
+  sayWarnings(source, runWarnings(experiment));
   return experiment;
 }
 

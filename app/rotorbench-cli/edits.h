@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 
 namespace rotorbench::cli {
 

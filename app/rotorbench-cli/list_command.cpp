@@ -6,7 +6,7 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "sim/library/component_library.h"
 
 namespace rotorbench::cli {

@@ -10,10 +10,10 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
-#include "sim/experiment/preflight.h"
-#include "sim/experiment/run_files.h"
-#include "sim/experiment/simulation.h"
 #include "sim/io/metrics_output.h"
+#include "sim/run/preflight.h"
+#include "sim/run/run_files.h"
+#include "sim/run/simulation.h"
 
 namespace rotorbench::cli {
 

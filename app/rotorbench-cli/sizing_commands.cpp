@@ -5,7 +5,7 @@
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "sim/io/file.h"
 #include "sim/io/json_document.h"
 #include "sim/sizing/apply_data_sheet.h"

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "app/rotorbench-cli/commands.h"
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/page.h"
 

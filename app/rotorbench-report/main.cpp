@@ -9,11 +9,11 @@
 
 #include "app/rotorbench-cli/edits.h"
 #include "app/rotorbench-report/window_picture.h"
-#include "sim/experiment/preflight.h"
-#include "sim/experiment/resources.h"
-#include "sim/experiment/run_files.h"
-#include "sim/experiment/simulation.h"
+#include "sim/document/resources.h"
 #include "sim/io/metrics_output.h"
+#include "sim/run/preflight.h"
+#include "sim/run/run_files.h"
+#include "sim/run/simulation.h"
 #include "ui/shell/report.h"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <QIcon>
 #include <QSurfaceFormat>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "ui/shell/main_window.h"
 
 namespace {

@@ -2,18 +2,6 @@
 
 namespace rotorbench {
 
-void warnOfDelays(const EscParameters& esc, const std::string& path, double rate,
-                  std::vector<Problem>& problems) {
-  const auto warn = [&](double delay, const char* key) {
-    if (delay > 10 / rate)
-      problems.push_back({path + key,
-                          "is longer than ten updates of the controller, which does not know of it",
-                          "expect overshoot, or shorten it", true});
-  };
-  warn(esc.responseTime, ".responseTime");
-  warn(esc.deadTime, ".deadTime");
-}
-
 void Describe<MotorSpeedParameters>::fields(schema::Builder<MotorSpeedParameters>& b) {
   using P = MotorSpeedParameters;
   b.title("motor-speed", "Motor speed controller",

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <string>
-#include <vector>
 
 #include "sim/control/pid.h"
-#include "sim/propulsion/esc.h"
-#include "sim/propulsion/motor.h"
+#include "sim/propulsion/drive/esc.h"
+#include "sim/propulsion/drive/motor.h"
 
 namespace rotorbench {
 
@@ -79,11 +77,6 @@ class MotorSpeedController {
   double torqueFactor_, voltsPerAcceleration_;
   bool feedForward_, limited_;
 };
-
-/// Warns of delays of a speed controller, described at `path`, that are long beside the period of a
-/// controller with `rate` in Hz.
-void warnOfDelays(const EscParameters& esc, const std::string& path, double rate,
-                  std::vector<Problem>& problems);
 
 template <>
 struct Describe<MotorSpeedParameters> {

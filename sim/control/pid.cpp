@@ -47,13 +47,13 @@ void describe(schema::Builder<PidParameters<Use>>& b) {
 
 }  // namespace
 
-int ticksBetween(double rate, double tick, const std::string& path) {
+int ticksBetween(double rate, double tick, const Place& place) {
   const double ticks = 1 / (rate * tick);
   const double whole = std::round(ticks);
   if (!(whole >= 1) || !(whole < 1e9) || std::abs(ticks - whole) > 1e-6 * whole) {
-    throw InputError("",
-                     {{path, "the rate does not fit the tick of the simulation",
-                       "a rate that divides " + std::to_string(std::lround(1 / tick)) + " Hz"}});
+    throw place.error({{{},
+                        "the rate does not fit the tick of the simulation",
+                        "a rate that divides " + std::to_string(std::lround(1 / tick)) + " Hz"}});
   }
   return static_cast<int>(whole);
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "sim/core/place.h"
 #include "sim/core/schema.h"
 
 namespace rotorbench {
@@ -68,9 +69,9 @@ class Pid {
   bool started_ = false;
 };
 
-/// Ticks between two updates at `rate` Hz. Throws InputError, naming `path`, unless it is a whole
-/// number of at least one.
-int ticksBetween(double rate, double tick, const std::string& path);
+/// Ticks between two updates at `rate` Hz, which is described at `place`. Throws InputError unless
+/// it is a whole number of at least one.
+int ticksBetween(double rate, double tick, const Place& place);
 
 template <>
 struct Describe<PidParameters<PidUse::Height>> {

@@ -17,10 +17,10 @@
 
 #include "sim/control/allocation.h"
 #include "sim/control/control_model.h"
+#include "sim/control/controller.h"
 #include "sim/control/motor_speed.h"
 #include "sim/control/pid.h"
-#include "sim/core/channel.h"
-#include "sim/sensing/measurement.h"
+#include "sim/core/place.h"
 
 namespace rotorbench {
 
@@ -51,12 +51,6 @@ struct PidFlightParameters {
   bool operator==(const PidFlightParameters&) const = default;
 };
 
-struct FlightSetPoint {
-  double height = 0;  ///< m
-  double roll = 0, pitch = 0,
-         yaw = 0;  ///< rad; yaw may leave (-pi, pi], steps take the short way round
-};
-
 /// Follows an angle given in (-pi, pi] through whole turns.
 class AngleUnwrapper {
  public:
@@ -70,51 +64,32 @@ class AngleUnwrapper {
   bool started_ = false;
 };
 
-template <int N>
-class PidFlightController {
+class PidFlight final : public Controller {
  public:
-  using Duties = Eigen::Matrix<double, N, 1>;
+  /// `timing` is that of parameters.rate. `vehicle` is where the layout is described.
+  PidFlight(const PidFlightParameters& parameters, const ControlModel& model, Timing timing,
+            const Place& vehicle = {});
 
-  /// `tick`: s between two calls of update(). Throws InputError if a rate does not fit it.
-  PidFlightController(const PidFlightParameters& parameters, const ControlModel<N>& model,
-                      double tick);
+  [[nodiscard]] std::vector<HeldQuantity> held() const override;
+  [[nodiscard]] std::vector<Channel> channels() const override;
+  void act(const ClockTick& tick, Board& board, double* row) override;
 
-  /// Motor duties for this tick, -1..1 where a speed controller is reversible, else 0..1. Loops
-  /// slower than the tick keep their last outputs.
-  const Duties& update(const Measurement<N>& measured, const FlightSetPoint& setPoint);
+  /// Rotor speeds in rad/s for what is believed and wanted.
+  const PerRotor& update(const BodyMotion& body, const SetPoint& setPoint);
 
-  [[nodiscard]] const Duties& rotorSpeedSetPoints() const { return speeds_; }
+  [[nodiscard]] const PerRotor& rotorSpeedSetPoints() const { return speeds_; }
   [[nodiscard]] const Wrench& wrench() const { return wrench_; }
   /// Some rotor thrust is at its limit and part of the demand is dropped.
   [[nodiscard]] bool limited() const { return limited_; }
 
-  /// Calls visit(rotor, name, unit, description, value) for each recorded quantity; rotor 0 is the
-  /// vehicle.
-  template <class Visit>
-  void visitOutputs(Visit&& visit) const {
-    visit(0, "control.thrust", "N", "Total thrust demanded", wrench_[0]);
-    visit(0, "control.momentX", "N*m", "Roll moment demanded", wrench_[1]);
-    visit(0, "control.momentY", "N*m", "Pitch moment demanded", wrench_[2]);
-    visit(0, "control.momentZ", "N*m", "Yaw moment demanded", wrench_[3]);
-    visit(0, "control.limited", "1", "1 while the rotors cannot meet the demand",
-          limited_ ? 1.0 : 0.0);
-    for (int i = 0; i < N; ++i) {
-      visit(i + 1, "speedSetpoint", "rad/s", "Rotor speed demanded", speeds_[i]);
-    }
-  }
-
  private:
-  void updateFlight(const Measurement<N>& measured, const FlightSetPoint& setPoint);
-
-  ControlModel<N> model_;
-  Allocation<N> allocation_;
+  ControlModel model_;
+  Allocation allocation_;
   Pid altitude_, roll_, pitch_, yaw_;
-  std::vector<MotorSpeedController> motors_;
   AngleUnwrapper measuredYaw_, wantedYaw_;
-  int flightTicks_, motorTicks_, flightCount_ = 0, motorCount_ = 0;
   Wrench wrench_ = Wrench::Zero();
   bool limited_ = false;
-  Duties speeds_ = Duties::Zero(), duties_ = Duties::Zero();
+  PerRotor speeds_ = PerRotor::Zero();
 };
 
 template <>

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sim/measurement/measured_table.h"
-#include "sim/propulsion/measured_propeller.h"
+#include "sim/logs/measured_table.h"
+#include "sim/propulsion/rotor/measured_propeller.h"
 
 namespace rotorbench {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "sim/core/error.h"
-#include "sim/measurement/quantity.h"
+#include "sim/logs/quantity.h"
 
 namespace rotorbench {
 

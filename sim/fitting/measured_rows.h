@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/measurement/measured_table.h"
+#include "sim/logs/measured_table.h"
 
 namespace rotorbench {
 

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "sim/fitting/least_squares.h"
-#include "sim/measurement/measured_table.h"
-#include "sim/propulsion/motor.h"
+#include "sim/logs/measured_table.h"
+#include "sim/propulsion/drive/motor.h"
 
 namespace rotorbench {
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "sim/fitting/least_squares.h"
-#include "sim/measurement/measured_table.h"
-#include "sim/propulsion/blade_element.h"
+#include "sim/logs/measured_table.h"
+#include "sim/propulsion/rotor/blade_element.h"
 
 namespace rotorbench {
 

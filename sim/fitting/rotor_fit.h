@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "sim/fitting/least_squares.h"
-#include "sim/measurement/measured_table.h"
+#include "sim/logs/measured_table.h"
 
 namespace rotorbench {
 

@@ -4,13 +4,13 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/library/component_kind.h"
-#include "sim/propulsion/battery.h"
-#include "sim/propulsion/blade.h"
-#include "sim/propulsion/esc.h"
-#include "sim/propulsion/measured_propeller.h"
-#include "sim/propulsion/motor.h"
-#include "sim/propulsion/polar_section.h"
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/esc.h"
+#include "sim/propulsion/drive/motor.h"
+#include "sim/propulsion/rotor/blade.h"
+#include "sim/propulsion/rotor/measured_propeller.h"
+#include "sim/propulsion/rotor/polar_section.h"
+#include "sim/propulsion/rotor/rotor.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {

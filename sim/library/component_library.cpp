@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "sim/io/file.h"
 #include "sim/library/component_file.h"
 

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "sim/sizing/data_sheet.h"
 
 namespace rotorbench {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/run/drive_build.h"
 #include "sim/sizing/drive_point.h"
 
 namespace rotorbench {

@@ -6,7 +6,8 @@
 #include <vector>
 
 #include "sim/core/schema.h"
-#include "sim/experiment/drive_stand.h"
+#include "sim/document/drive_stand.h"
+#include "sim/propulsion/drive/drive_train.h"
 
 namespace rotorbench {
 

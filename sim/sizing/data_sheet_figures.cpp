@@ -5,7 +5,7 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/experiment/step_stability.h"
+#include "sim/run/step_stability.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/drive_point.h"
 

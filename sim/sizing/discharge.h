@@ -4,7 +4,7 @@
 #pragma once
 
 #include "sim/core/sentence.h"
-#include "sim/propulsion/battery.h"
+#include "sim/propulsion/drive/battery.h"
 
 namespace rotorbench {
 

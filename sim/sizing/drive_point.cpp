@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/numerics/bracketed_root.h"
 
 namespace rotorbench {
 

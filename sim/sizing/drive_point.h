@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "sim/propulsion/drive_train.h"
+#include "sim/propulsion/drive/drive_train.h"
 
 namespace rotorbench {
 

@@ -3,7 +3,7 @@
 #include <limits>
 #include <numbers>
 
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/numerics/bracketed_root.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/performance.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/numerics/bracketed_root.h"
 
 namespace rotorbench {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/propulsion/drive_train.h"
+#include "sim/propulsion/drive/drive_train.h"
 #include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {

@@ -30,16 +30,16 @@ double magnitudeApart(double model, double measured) {
 struct HeldOut {
   DriveConstants constants;
   double thrustFactor = 0;  ///< T/w^2 of the fitted points, N s^2
-  std::vector<DrivePoint> points;
+  std::vector<LoggedPoint> points;
   std::vector<DrivePrediction> predictions;  ///< of all points
 
   [[nodiscard]] static bool fitted(std::size_t i) { return i % 2 == 0; }
 };
 
-HeldOut holdOut(std::vector<DrivePoint> points, const DriveFitChoice& choice,
+HeldOut holdOut(std::vector<LoggedPoint> points, const DriveFitChoice& choice,
                 const DriveConstants& guess) {
   HeldOut h;
-  std::vector<DrivePoint> fit;
+  std::vector<LoggedPoint> fit;
   double top = 0, bottom = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (!HeldOut::fitted(i)) continue;
@@ -52,7 +52,7 @@ HeldOut holdOut(std::vector<DrivePoint> points, const DriveFitChoice& choice,
   h.constants = fitDrive(fit, choice, guess);
   h.thrustFactor = top / bottom;
   h.points = std::move(points);
-  for (const DrivePoint& p : h.points) {
+  for (const LoggedPoint& p : h.points) {
     h.predictions.push_back(predicted(h.constants, p.duty, p.voltage));
   }
   return h;
@@ -60,7 +60,7 @@ HeldOut holdOut(std::vector<DrivePoint> points, const DriveFitChoice& choice,
 
 /// For a start: K of a data sheet's Kv in rpm/V, the load current such that the strongest point is
 /// met.
-DriveConstants startingFrom(double kv, double resistance, const std::vector<DrivePoint>& points) {
+DriveConstants startingFrom(double kv, double resistance, const std::vector<LoggedPoint>& points) {
   DriveConstants c;
   c.torqueConstant = 1 / (kv * kRpm);
   c.resistance = resistance;
@@ -110,7 +110,7 @@ SvgChart dutyChart(const HeldOut& h, const std::string& title, bool speed) {
   SvgSeries held{"Measured, held out", SvgSeries::Style::Points, 0, {}};
   SvgSeries line{"Computed", SvgSeries::Style::Line, 1, {}};
   for (std::size_t i = 0; i < h.points.size(); ++i) {
-    const DrivePoint& p = h.points[i];
+    const LoggedPoint& p = h.points[i];
     const DrivePrediction& m = h.predictions[i];
     (HeldOut::fitted(i) ? used : held)
         .points.push_back({p.duty, speed ? p.speed / kRpm : p.current});
@@ -133,7 +133,7 @@ StepErrors stepErrors(const HeldOut& h) {
   StepErrors e;
   for (std::size_t i = 0; i < h.points.size(); ++i) {
     if (HeldOut::fitted(i)) continue;
-    const DrivePoint& p = h.points[i];
+    const LoggedPoint& p = h.points[i];
     const DrivePrediction& m = h.predictions[i];
     e.speed = std::max(e.speed, magnitudeApart(m.speed, p.speed));
     if (p.current < kSmallCurrent) {
@@ -146,12 +146,12 @@ StepErrors stepErrors(const HeldOut& h) {
 }
 
 /// The steady steps of one of the logs of bench_esc_test.
-std::vector<DrivePoint> readSteps(const CsvTable& table, int log) {
+std::vector<LoggedPoint> readSteps(const CsvTable& table, int log) {
   constexpr double kSteady = 0.03;  // interquartile range of the speed over its median
   const auto logs = table.values("log", "1"), duty = table.values("duty", "1");
   const auto speed = table.values("speed", "rad/s"), spread = table.values("spread", "rad/s");
   const auto current = table.values("current", "A"), voltage = table.values("voltage", "V");
-  std::vector<DrivePoint> points;
+  std::vector<LoggedPoint> points;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     if (logs[i] != log || spread[i] > kSteady * speed[i]) continue;
     points.push_back({duty[i], voltage[i], current[i], speed[i], 0});
@@ -217,28 +217,28 @@ using Pair = std::pair<int, int>;
 
 /// Points up to the greatest thrust of a run: beyond it the supply limits its current and the drive
 /// falls back.
-std::vector<DrivePoint> upToGreatestThrust(const std::vector<DrivePoint>& run) {
+std::vector<LoggedPoint> upToGreatestThrust(const std::vector<LoggedPoint>& run) {
   const auto top = std::max_element(
       run.begin(), run.end(), [](const auto& a, const auto& b) { return a.thrust < b.thrust; });
   return {run.begin(), top == run.end() ? top : top + 1};
 }
 
-std::map<Pair, std::vector<DrivePoint>> readPairs(const fs::path& file) {
+std::map<Pair, std::vector<LoggedPoint>> readPairs(const fs::path& file) {
   constexpr double kZero = 1000e-6, kFull = 1000e-6;  // s: signal of no and of full throttle
   const CsvTable table = readCsvFile(file);
   const auto motor = table.values("motor", "1"), propeller = table.values("propeller", "1");
   const auto supply = table.values("supply", "V"), signal = table.values("signal", "s");
   const auto thrust = table.values("thrust", "N"), voltage = table.values("voltage", "V");
   const auto current = table.values("current", "A"), speed = table.values("speed", "rad/s");
-  std::map<std::tuple<int, int, double>, std::vector<DrivePoint>> runs;
+  std::map<std::tuple<int, int, double>, std::vector<LoggedPoint>> runs;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     runs[{static_cast<int>(motor[i]), static_cast<int>(propeller[i]), supply[i]}].push_back(
         {(signal[i] - kZero) / kFull, voltage[i], current[i], speed[i], thrust[i]});
   }
-  std::map<Pair, std::vector<DrivePoint>> pairs;
+  std::map<Pair, std::vector<LoggedPoint>> pairs;
   for (const auto& [key, run] : runs) {
     auto& points = pairs[{std::get<0>(key), std::get<1>(key)}];
-    for (const DrivePoint& p : upToGreatestThrust(run)) points.push_back(p);
+    for (const LoggedPoint& p : upToGreatestThrust(run)) points.push_back(p);
   }
   return pairs;
 }
@@ -250,7 +250,7 @@ struct Spread {
 void addErrors(const HeldOut& h, Spread& spread) {
   for (std::size_t i = 0; i < h.points.size(); ++i) {
     if (HeldOut::fitted(i)) continue;
-    const DrivePoint& p = h.points[i];
+    const LoggedPoint& p = h.points[i];
     const DrivePrediction& m = h.predictions[i];
     spread.speed.push_back(magnitudeApart(m.speed, p.speed));
     spread.current.push_back(magnitudeApart(m.current, p.current));
@@ -280,7 +280,7 @@ CaseResult racingDrives(const fs::path& resources) {
   constexpr std::array<double, 12> kKv{2600, 2500, 2450, 2300, 2400, 2350,
                                        2000, 2400, 2300, 2400, 2400, 2800};
   const auto pairs = readPairs(resources / "validation" / "strawson" / "points.csv");
-  std::vector<const std::pair<const Pair, std::vector<DrivePoint>>*> order;
+  std::vector<const std::pair<const Pair, std::vector<LoggedPoint>>*> order;
   for (const auto& pair : pairs) order.push_back(&pair);
   const auto fits = inParallel(order.size(), [&](std::size_t i) {
     const auto motor = std::min(static_cast<std::size_t>(order[i]->first.first), kKv.size() - 1);
@@ -335,7 +335,7 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
   const auto pwm = table.values("pwm", "1"), thrust = table.values("thrust", "N");
   const auto speed = table.values("speed", "rad/s"), voltage = table.values("voltage", "V");
   const auto current = table.values("current", "A");
-  std::vector<DrivePoint> points;
+  std::vector<LoggedPoint> points;
   for (std::size_t i = 0; i < table.rows(); ++i) {
     points.push_back({pwm[i] / 65535, voltage[i], current[i], speed[i], thrust[i]});
   }
@@ -351,7 +351,7 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
       "Crazyflie 2.1: thrust of four rotors", {"Speed, rpm", 0, {}}, {"Thrust, N", {}, {}}, {}};
   SvgSeries measured{"Measured", SvgSeries::Style::Points, 0, {}};
   SvgSeries line{"T/\u03c9\u00b2 of the fitted points", SvgSeries::Style::Line, 1, {}};
-  for (const DrivePoint& p : h.points) {
+  for (const LoggedPoint& p : h.points) {
     measured.points.push_back({p.speed / kRpm, p.thrust});
     line.points.push_back({p.speed / kRpm, h.thrustFactor * p.speed * p.speed});
   }

@@ -34,7 +34,7 @@ struct Residuals {
   using JacobianType = Eigen::MatrixXd;
   enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
 
-  const std::vector<DrivePoint>& points;
+  const std::vector<LoggedPoint>& points;
   std::vector<Member> members;
   DriveConstants base;
   std::vector<double> scales;
@@ -52,7 +52,7 @@ struct Residuals {
   int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
     const DriveConstants c = constantsAt(x);
     Eigen::Index row = 0;
-    for (const DrivePoint& p : points) {
+    for (const LoggedPoint& p : points) {
       const DrivePrediction model = predicted(c, p.duty, p.voltage);
       r[row++] = (model.speed - p.speed) / (p.speed + speedFloor);
       r[row++] = (model.current - p.current) / (p.current + currentFloor);
@@ -75,10 +75,10 @@ DrivePrediction predicted(const DriveConstants& c, double duty, double voltage) 
   return {w, d * i + c.standbyCurrent};
 }
 
-DriveConstants fitDrive(const std::vector<DrivePoint>& points, const DriveFitChoice& choice,
+DriveConstants fitDrive(const std::vector<LoggedPoint>& points, const DriveFitChoice& choice,
                         const DriveConstants& guess, double floor) {
   double speed = 0, current = 0;
-  for (const DrivePoint& p : points) {
+  for (const LoggedPoint& p : points) {
     speed = std::max(speed, p.speed);
     current = std::max(current, p.current);
   }

@@ -13,7 +13,7 @@
 namespace rotorbench::validation {
 
 /// One measured steady point.
-struct DrivePoint {
+struct LoggedPoint {
   double duty = 0;     ///< 0..1
   double voltage = 0;  ///< V at the supply
   double current = 0;  ///< A from the supply
@@ -50,7 +50,7 @@ DrivePrediction predicted(const DriveConstants& constants, double duty, double v
 /// Least squares of speed and current, each over its measured value with `floor` of the greatest
 /// one added, by Levenberg and Marquardt. At least as many points as constants; `guess` for the
 /// start.
-DriveConstants fitDrive(const std::vector<DrivePoint>& points, const DriveFitChoice& choice,
+DriveConstants fitDrive(const std::vector<LoggedPoint>& points, const DriveFitChoice& choice,
                         const DriveConstants& guess, double floor = 0.02);
 
 }  // namespace rotorbench::validation

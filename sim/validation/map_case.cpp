@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/core/parallel.h"
-#include "sim/propulsion/propeller_map.h"
+#include "sim/propulsion/rotor/propeller_map.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/text.h"
 #include "sim/validation/uiuc_data.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/propulsion/advance_sweep.h"
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/numerics/bracketed_root.h"
+#include "sim/propulsion/rotor/advance_sweep.h"
 #include "sim/validation/statistics.h"
 
 namespace rotorbench::validation {

@@ -9,7 +9,7 @@
 
 #include <optional>
 
-#include "sim/propulsion/blade_element.h"
+#include "sim/propulsion/rotor/blade_element.h"
 #include "sim/validation/uiuc_data.h"
 
 namespace rotorbench::validation {

@@ -4,9 +4,10 @@
 #include <numbers>
 
 #include "sim/core/error.h"
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 #include "sim/io/csv.h"
-#include "sim/propulsion/bracketed_root.h"
+#include "sim/numerics/bracketed_root.h"
+#include "sim/run/drive_build.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/text.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/propulsion/blade.h"
+#include "sim/propulsion/rotor/blade.h"
 
 namespace rotorbench::validation {
 

@@ -283,8 +283,8 @@ template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const {
   const Command squares = hoverSquares(constants_);
   if (!(squares.minCoeff() >= 0) || !squares.allFinite()) {
-    throw InputError("vehicle", {{"layout", "the rotors cannot hold the vehicle level",
-                                  "rotors around the centre of mass, and air"}});
+    throw InputError({}, {{"layout", "the rotors cannot hold the vehicle level",
+                           "rotors around the centre of mass, and air"}});
   }
   return squares.cwiseSqrt();
 }

@@ -21,10 +21,10 @@
 #include <utility>
 
 #include "sim/environment/environment.h"
-#include "sim/propulsion/battery.h"
-#include "sim/propulsion/esc.h"
-#include "sim/propulsion/motor.h"
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/esc.h"
+#include "sim/propulsion/drive/motor.h"
+#include "sim/propulsion/rotor/rotor.h"
 #include "sim/vehicle/multirotor_layout.h"
 #include "sim/vehicle/vehicle_parameters.h"
 

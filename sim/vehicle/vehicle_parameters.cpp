@@ -64,7 +64,7 @@ MassProperties withoutCheck(const VehicleParameters& vehicle, int count, bool as
 
 std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
   auto problems = countProblems(vehicle, static_cast<std::size_t>(count));
-  if (!problems.empty()) throw InputError("vehicle", std::move(problems));
+  if (!problems.empty()) throw InputError({}, std::move(problems));
   std::vector<RotorAtHub> hubs;
   for (const auto& placement : placeRotors(vehicle.layout, count)) {
     const auto* equal = std::get_if<EqualRotors>(&vehicle.rotors);
@@ -86,7 +86,7 @@ std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count, bo
 MassProperties massOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
   MassProperties sum = withoutCheck(vehicle, count, asPlanned);
   auto problems = massProblems(sum, "mass");
-  if (!problems.empty()) throw InputError("vehicle", std::move(problems));
+  if (!problems.empty()) throw InputError({}, std::move(problems));
   return sum;
 }
 

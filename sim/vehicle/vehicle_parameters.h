@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "sim/core/schema.h"
-#include "sim/propulsion/battery.h"
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/rotor/rotor.h"
 #include "sim/vehicle/geometry.h"
 #include "sim/vehicle/mass_properties.h"
 

@@ -19,6 +19,7 @@
 #include "sim/core/units.h"
 #include "sim/fitting/doubt.h"
 #include "sim/fitting/provenance.h"
+#include "sim/run/simulation.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
 #include "ui/forms/parameter_form.h"

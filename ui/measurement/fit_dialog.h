@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "sim/fitting/fit_request.h"
-#include "sim/measurement/measured_table.h"
+#include "sim/logs/measured_table.h"
 #include "ui/charts/chart_link.h"
 #include "ui/charts/run_set.h"
 #include "ui/forms/document_model.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/drive_stand.h"
+#include "sim/document/drive_stand.h"
 #include "sim/fitting/doubt.h"
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/rotor/rotor.h"
 #include "ui/forms/field_text.h"
 #include "ui/forms/snapshot.h"
 

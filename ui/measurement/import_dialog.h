@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "sim/measurement/csv_import.h"
+#include "sim/logs/csv_import.h"
 #include "ui/runs/run_list.h"
 
 class QComboBox;

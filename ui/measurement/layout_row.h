@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "sim/measurement/import_settings.h"
+#include "sim/logs/import_settings.h"
 
 class QComboBox;
 class QLineEdit;

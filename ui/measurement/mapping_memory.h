@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "sim/measurement/import_settings.h"
+#include "sim/logs/import_settings.h"
 
 namespace rotorbench {
 

@@ -6,8 +6,8 @@
 #include <QTableWidget>
 #include <map>
 
-#include "sim/measurement/import_settings.h"
-#include "sim/measurement/measured_table.h"
+#include "sim/logs/import_settings.h"
+#include "sim/logs/measured_table.h"
 
 class QComboBox;
 

@@ -4,7 +4,7 @@
 
 #include <QWidget>
 
-#include "sim/measurement/measured_table.h"
+#include "sim/logs/measured_table.h"
 
 class QComboBox;
 class QPushButton;

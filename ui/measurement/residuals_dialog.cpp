@@ -12,8 +12,9 @@
 #include <array>
 #include <cmath>
 
-#include "sim/measurement/measured_table.h"
-#include "sim/measurement/residuals.h"
+#include "sim/logs/measured_table.h"
+#include "sim/logs/residuals.h"
+#include "sim/run/simulation.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
 #include "ui/runs/run_colors.h"

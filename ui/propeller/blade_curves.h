@@ -10,7 +10,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "sim/propulsion/blade.h"
+#include "sim/propulsion/rotor/blade.h"
 #include "ui/charts/plot_painter.h"
 
 namespace rotorbench {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "sim/propulsion/blade.h"
+#include "sim/propulsion/rotor/blade.h"
 
 namespace rotorbench {
 

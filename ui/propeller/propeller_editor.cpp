@@ -11,7 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "sim/experiment/propeller_scene.h"
+#include "sim/scene/propeller_scene.h"
 #include "ui/forms/field_text.h"
 #include "ui/forms/form_style.h"
 #include "ui/forms/parameter_form.h"

@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <QTimer>
 
-#include "sim/propulsion/blade.h"
+#include "sim/propulsion/rotor/blade.h"
 #include "ui/forms/document_model.h"
 #include "ui/forms/form_context.h"
 #include "ui/forms/unit_preferences.h"

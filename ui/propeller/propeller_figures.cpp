@@ -6,7 +6,7 @@
 #include <array>
 #include <numbers>
 
-#include "sim/propulsion/advance_sweep.h"
+#include "sim/propulsion/rotor/advance_sweep.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/form_style.h"
 

@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "sim/propulsion/blade.h"
+#include "sim/propulsion/rotor/blade.h"
 #include "ui/charts/chart_link.h"
 #include "ui/charts/run_set.h"
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 
+#include "sim/run/simulation.h"
 #include "ui/runs/run_list.h"
 
 namespace rotorbench {

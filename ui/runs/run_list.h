@@ -9,7 +9,7 @@
 #include <QString>
 #include <vector>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "ui/runs/run_worker.h"
 
 namespace rotorbench {

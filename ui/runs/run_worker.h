@@ -18,7 +18,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/metrics.h"
-#include "sim/experiment/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace rotorbench {
 

@@ -9,7 +9,7 @@
 #include <array>
 #include <optional>
 
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 
 namespace rotorbench {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 #include "ui/scene/scene_colors.h"
 #include "ui/scene/scene_mesh.h"
 

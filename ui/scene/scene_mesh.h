@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 
 namespace rotorbench {
 

@@ -10,7 +10,7 @@
 #include <memory>
 #include <optional>
 
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 
 class QAction;
 class QToolBar;

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 #include "ui/scene/scene_camera.h"
 #include "ui/scene/scene_colors.h"
 #include "ui/scene/scene_items.h"

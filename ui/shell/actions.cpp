@@ -7,7 +7,7 @@
 #include <QToolButton>
 #include <QUndoStack>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "ui/shell/theme.h"
 #include "ui/shell/tools.h"
 

@@ -9,7 +9,7 @@
 #include <QUuid>
 #include <QtConcurrentRun>
 
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 
 namespace rotorbench {
 

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 
 namespace rotorbench {
 

@@ -1,7 +1,7 @@
 #include "ui/shell/chart_binding.h"
 
-#include "sim/experiment/default_charts.h"
-#include "sim/experiment/experiment.h"
+#include "sim/document/default_charts.h"
+#include "sim/document/experiment.h"
 
 namespace rotorbench {
 

@@ -3,7 +3,7 @@
 #include <QFileInfo>
 #include <QtConcurrentRun>
 
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 
 namespace rotorbench {
 

@@ -8,7 +8,7 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 
 namespace rotorbench {
 

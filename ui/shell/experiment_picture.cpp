@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "sim/core/error.h"
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 #include "ui/scene/scene_painter.h"
 
 namespace rotorbench {

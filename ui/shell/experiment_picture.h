@@ -5,7 +5,7 @@
 #include <QImage>
 #include <QPalette>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 
 namespace rotorbench {
 

@@ -14,8 +14,8 @@
 #include <QStandardPaths>
 #include <QtConcurrentRun>
 
-#include "sim/experiment/preflight.h"
-#include "sim/experiment/run_files.h"
+#include "sim/run/preflight.h"
+#include "sim/run/run_files.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/export_figure.h"

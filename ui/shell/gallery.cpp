@@ -9,8 +9,8 @@
 #include <QScrollArea>
 #include <QtConcurrentMap>
 
-#include "sim/experiment/experiment_file.h"
-#include "sim/experiment/resources.h"
+#include "sim/document/experiment_file.h"
+#include "sim/document/resources.h"
 #include "ui/shell/experiment_picture.h"
 #include "ui/shell/theme.h"
 

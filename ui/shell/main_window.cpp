@@ -15,7 +15,7 @@
 #include <QStandardPaths>
 #include <QTimer>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "ui/forms/help_table.h"
 #include "ui/forms/problems_panel.h"
 #include "ui/measurement/import_dialog.h"

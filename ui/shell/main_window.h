@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <memory>
 
+#include "sim/run/simulation.h"
 #include "ui/runs/run_controller.h"
 #include "ui/shell/actions.h"
 #include "ui/shell/document_controller.h"

@@ -4,7 +4,7 @@
 #include <set>
 
 #include "sim/core/error.h"
-#include "sim/experiment/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace rotorbench {
 

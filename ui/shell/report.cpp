@@ -4,8 +4,8 @@
 #include <QFileInfo>
 
 #include "sim/core/error.h"
-#include "sim/experiment/default_charts.h"
-#include "sim/experiment/scene_model.h"
+#include "sim/document/default_charts.h"
+#include "sim/scene/scene_model.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/export_figure.h"
 #include "ui/runs/run_colors.h"

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <vector>
 
-#include "sim/experiment/experiment.h"
-#include "sim/experiment/simulation.h"
+#include "sim/document/experiment.h"
+#include "sim/run/simulation.h"
 
 namespace rotorbench {
 

@@ -3,8 +3,9 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "sim/experiment/preflight.h"
-#include "sim/experiment/scene_model.h"
+#include "sim/run/preflight.h"
+#include "sim/run/simulation.h"
+#include "sim/scene/scene_model.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/signal_tree.h"
 #include "ui/forms/experiment_panel.h"
@@ -198,7 +199,7 @@ void RunDesk::reject(const RunRecord& record) {
 std::vector<Problem> RunDesk::doubts() const {
   const Experiment& experiment = documents_.experiment();
   if (rejected_ && sameInputs(rejected_->experiment, experiment)) return rejected_->problems;
-  return flightWarnings(experiment);
+  return runWarnings(experiment);
 }
 
 void RunDesk::showRun(int id) {

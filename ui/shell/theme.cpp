@@ -7,7 +7,7 @@
 #include <QStyle>
 #include <QStyleFactory>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 
 namespace rotorbench {
 

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "sim/sizing/performance.h"
 #include "ui/forms/parameter_form.h"
 #include "ui/forms/plain_locale.h"

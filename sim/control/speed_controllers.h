@@ -1,0 +1,32 @@
+// The motor speed controllers of a vehicle as one task: they bring the rotors to the speeds a
+// flight controller asks for.
+#pragma once
+
+#include <vector>
+
+#include "sim/control/control_model.h"
+#include "sim/control/motor_speed.h"
+#include "sim/signal/task.h"
+
+namespace rotorbench {
+
+class SpeedControllers final : public Task {
+ public:
+  /// `timing` is that of parameters.rate.
+  SpeedControllers(const MotorSpeedParameters& parameters, const ControlModel& model,
+                   Timing timing);
+  [[nodiscard]] SignalUse uses() const override {
+    return {.reads = Signal::Measurement | Signal::RotorDemand,
+            .writes = Signal::RotorCommand,
+            .readsEarlier = {}};
+  }
+  void act(const ClockTick& tick, Board& board, double* row) override;
+
+  /// Duty of each motor, -1..1 where its speed controller is reversible, else 0..1.
+  PerRotor update(const RotorDemand& demand, const DriveReadings& drives);
+
+ private:
+  std::vector<MotorSpeedController> motors_;
+};
+
+}  // namespace rotorbench

@@ -1,0 +1,33 @@
+// A flight: a vehicle in its surroundings, flown by a controller or by inputs laid down in advance.
+#pragma once
+
+#include <variant>
+
+#include "sim/core/schema.h"
+#include "sim/document/pid_control.h"
+#include "sim/document/prescribed_inputs.h"
+#include "sim/environment/environment.h"
+#include "sim/ode/solver_settings.h"
+#include "sim/sensing/ideal_sensors.h"
+#include "sim/vehicle/vehicle_parameters.h"
+
+namespace rotorbench {
+
+struct Flight {
+  VehicleParameters vehicle;
+  std::variant<PidControl, SpeedInputs, VoltageInputs> control;
+  SensorModel sensors;
+  EnvironmentParameters environment;
+  FlightStart start;
+  ode::SolverSettings solver{.method = ode::Method::ExponentialRk4, .step = 1e-3};
+  double tick = 1e-3;    ///< s, period of the fastest task
+  double duration = 30;  ///< s
+  bool operator==(const Flight&) const = default;
+};
+
+template <>
+struct Describe<Flight> {
+  static void fields(schema::Builder<Flight>& b);
+};
+
+}  // namespace rotorbench

@@ -1,0 +1,48 @@
+#include "sim/document/pid_control.h"
+
+#include <numbers>
+
+namespace rotorbench {
+
+using schema::atLeast;
+using schema::upTo;
+
+void Describe<SetPointRow>::fields(schema::Builder<SetPointRow>& b) {
+  using std::numbers::pi;
+  b.title("row", "Set-points", "Set-points from one instant on.");
+  b.number("time", &SetPointRow::time, "Time", "t", "s").range(atLeast(0), upTo(1e6));
+  b.number("height", &SetPointRow::height, "Height", "z", "m").range(atLeast(-1e5), upTo(1e5));
+  // Beyond 60 degrees a vehicle that holds its height needs more than twice its hover thrust.
+  b.number("roll", &SetPointRow::roll, "Roll", "φ", "rad")
+      .range(atLeast(-pi / 3), upTo(pi / 3))
+      .shownIn("deg");
+  b.number("pitch", &SetPointRow::pitch, "Pitch", "θ", "rad")
+      .range(atLeast(-pi / 3), upTo(pi / 3))
+      .shownIn("deg");
+  b.number("yaw", &SetPointRow::yaw, "Yaw", "ψ", "rad")
+      .range(atLeast(-20 * pi), upTo(20 * pi))
+      .shownIn("deg");
+}
+
+void Describe<PidControl>::fields(schema::Builder<PidControl>& b) {
+  b.title("pid", "Controller 1 (PID)",
+          "PIDs for altitude, roll, pitch and yaw, allocation to rotor speeds, and motor speed "
+          "controllers.",
+          "Thesis 2014, section 4.2");
+  b.group("controller", &PidControl::controller, "Controller 1");
+  b.list("setPoints", &PidControl::setPoints, "Timeline")
+      .items(1, 100000)
+      .table()
+      .help("Set-points over time. Times must rise from row to row.");
+  b.choice("interpolation", &PidControl::interpolation, "Between the rows", interpolations());
+  b.check([](const PidControl& c, std::vector<Problem>& problems) {
+    for (std::size_t i = 1; i < c.setPoints.size(); ++i) {
+      if (c.setPoints[i].time <= c.setPoints[i - 1].time) {
+        problems.push_back({"setPoints[" + std::to_string(i) + "].time",
+                            "is not later than the row before", "times must rise from row to row"});
+      }
+    }
+  });
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,123 @@
+#include "sim/propulsion/drive/drive_train.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace rotorbench {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// The w where a falling function passes zero, between 0 and `high`.
+template <class Function>
+double fallingRoot(Function&& f, double high) {
+  double low = 0;
+  if (!(f(low) > 0)) return 0;
+  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
+    const double middle = 0.5 * (low + high);
+    (f(middle) > 0 ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+double steadySpeed(const MotorConstants& motor, const ShaftLoad& load, double v) {
+  const double sign = v < 0 ? -1 : 1;
+  const double free = std::abs(v) / motor.torqueConstant;
+  const auto surplus = [&](double w) {
+    const double i = (std::abs(v) - motor.torqueConstant * w) / motor.resistance;
+    return motor.torqueConstant * i - motor.friction(w) - load.torque(w);
+  };
+  return free > 0 ? sign * fallingRoot(surplus, free) : 0;
+}
+
+DriveTrain::DriveTrain(const DriveTrainSetup& setup)
+    : supply_(setup.supply),
+      motor_(buildMotor(setup.motor)),
+      load_(setup.load),
+      esc_(buildEsc(setup.esc, motor_)),
+      inverseInertia_(1 / setup.inertia),
+      quasiStatic_(setup.quasiStaticCurrent) {
+  if (!setup.unlimited) return;
+  esc_.least = -kInfinity;
+  esc_.most = esc_.maxCurrent = kInfinity;
+  esc_.activeBraking = true;
+}
+
+DriveTrain::State DriveTrain::initialState() const {
+  State y = State::Zero();
+  y[kCharge] = supply_.charge;
+  return y;
+}
+
+void DriveTrain::setThrottle(double throttle, State& y) {
+  throttle_ = allowedThrottle(throttle);
+  y[kDuty] = esc_.duty(throttle_, double{y[kDuty]});
+  esc_.settle(y[kDuty], y[kCurrent]);
+}
+
+std::string_view DriveTrain::componentName(int index) {
+  constexpr std::array<std::string_view, kStates> kNames{"motor.current", "motor.speed", "esc.duty",
+                                                         "battery.charge", "battery.polarisation"};
+  return kNames.at(static_cast<std::size_t>(index));
+}
+
+DrivePowers DriveTrain::powers(const State& y) const {
+  const DriveInstant<double> at = instant(y);
+  State rate;
+  derivative(y, rate);
+  const double w = y[kSpeed], i = at.current;
+  DrivePowers p{};
+  p.source = at.openCircuit * at.busCurrent;
+  p.supplyLoss =
+      supply_.resistance * at.busCurrent * at.busCurrent + y[kPolarisation] * at.busCurrent;
+  p.escLoss = esc_.resistance * i * i;
+  p.copperLoss = motor_.resistance * i * i;
+  p.frictionLoss = motor_.friction(w) * w;
+  p.load = load_.torque(w) * w;
+  p.magnetic = motor_.inductance * i * rate[kCurrent];
+  p.kinetic = w * rate[kSpeed] / inverseInertia_;
+  return p;
+}
+
+double DriveTrain::fastestPole(double w) const {
+  const double h = 1e-3 * std::max(1.0, std::abs(w));
+  const double drag = (motor_.friction(w + h) + load_.torque(w + h) - motor_.friction(w - h) -
+                       load_.torque(w - h)) /
+                      (2 * h);
+  const double r = motor_.resistance + esc_.resistance, k = motor_.torqueConstant;
+  if (quasiStatic_) return (drag + k * k / r) * inverseInertia_;
+  return rotorbench::fastestPole(motor_, r, drag, 1 / inverseInertia_);
+}
+
+DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
+                                          double polarisation) const {
+  State y = State::Zero();
+  y[kDuty] = allowedThrottle(throttle);
+  y[kCharge] = charge;
+  y[kPolarisation] = polarisation;
+  const double sign = y[kDuty] < 0 ? -1 : 1;
+  const double inner = supply_.openCircuit(charge) - polarisation;
+  const double resistance =
+      motor_.resistance + esc_.resistance + y[kDuty] * y[kDuty] * supply_.resistance;
+  const auto current = [&](double w) {
+    const double i = (std::abs(y[kDuty]) * inner - motor_.torqueConstant * w) / resistance;
+    return std::min(i, esc_.maxCurrent);
+  };
+  const double free = std::abs(y[kDuty]) * inner / motor_.torqueConstant;
+  if (!(free > 0)) return y;
+  const double w = fallingRoot(
+      [&](double speed) {
+        return motor_.torqueConstant * current(speed) - motor_.friction(speed) -
+               load_.torque(speed);
+      },
+      free);
+  y[kSpeed] = sign * w;
+  y[kCurrent] = sign * current(w);
+  return y;
+}
+
+}  // namespace rotorbench

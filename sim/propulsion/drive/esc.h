@@ -1,0 +1,108 @@
+// An electronic speed controller as an averaged converter: it puts the share `duty` of the supply's
+// voltage on the motor and takes the share `duty` of the motor's current from the supply. SI units;
+// speed and current positive in the rotor's own sense.
+//   lag        dd/dt = (u - d)/T, or d = u without a response time
+//   converter  v = d V - R_esc i,   V i_bus = v i + R_esc i^2,   |v - K w| <= R i_max
+// Without active braking the other halves of its bridges are diodes. The current then flows only
+// the way the duty drives it, s = sign(d), s i >= 0: the terminals are never below the back-EMF, s
+// v >= s K w, so that a current dies away with L/R and leaves the motor alone, and never below a
+// shorted bridge, s v >= -R_esc s i, so that no power returns to the supply, even where a rotor
+// turns against its duty and no limit can hold its current.
+//   R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3
+#pragma once
+
+#include <algorithm>
+
+#include "sim/core/scalar.h"
+#include "sim/core/schema.h"
+#include "sim/propulsion/drive/motor.h"
+
+namespace rotorbench {
+
+struct EscParameters {
+  double resistance = 0.005;              ///< Ohm, of the switches in the motor's path
+  double responseTime = 0.01;             ///< s, first-order lag from throttle to duty; 0: none
+  double deadTime = 0;                    ///< s, from a throttle command until it begins to act
+  double maxCurrent = kMostCurrentLimit;  ///< A, kept by limiting the voltage
+  bool reverse = false;                   ///< duty in -1..1 instead of 0..1
+  bool activeBraking = true;              ///< else no current flows back
+  bool operator==(const EscParameters&) const = default;
+};
+
+/// How a command becomes the duty, for one speed controller (Real is double) or several at once
+/// (Real is an Eigen::Array of double with one lane each). `u` is the command after any dead time,
+/// `d` the state that follows it.
+template <class Real>
+struct DutyModel {
+  Real inverseResponse{};  ///< 1/s; 0 without a lag
+  Real direct{};           ///< 1 without a lag, else 0
+  Real least{};            ///< of commands; -1 where reversible, else 0. The most is 1
+
+  /// The duty that acts: exactly the command where there is no lag.
+  template <class S>
+  [[nodiscard]] S duty(const S& u, const S& d) const {
+    return S(direct * u + (1.0 - direct) * d);
+  }
+  /// Its rate in 1/s; 0 without a lag.
+  template <class S>
+  [[nodiscard]] S rate(const S& u, const S& d) const {
+    return S((u - d) * inverseResponse);
+  }
+};
+
+/// One speed controller with its motor's limit.
+struct EscConstants : DutyModel<double> {
+  double most = 1;        ///< of commands
+  double resistance = 0;  ///< Ohm
+  double maxCurrent = 0;  ///< A, the lower limit of motor and speed controller
+  bool activeBraking = true;
+
+  [[nodiscard]] double allowed(double command) const { return std::clamp(command, least, most); }
+
+  /// Terminal voltage in V of a motor with back-EMF `back` in V: `free` = d V - R_esc i as far as
+  /// the limit of the current and the way it may flow let it. Any scalar.
+  template <class S>
+  [[nodiscard]] S voltage(const MotorConstants& motor, const S& duty, const S& current,
+                          const S& free, const S& back) const {
+    using std::max;
+    using std::min;
+    const double band = motor.resistance * maxCurrent;
+    if (activeBraking) return S(min(S(max(free, S(back - band))), S(back + band)));
+    const double way = wayOf(duty);
+    const S bottom = max(S(way * back), S(-way * resistance * current));
+    return S(way * max(S(min(S(way * free), S(way * back + band))), bottom));
+  }
+  /// The same for a winding without inductance: the current in A that flows at once, of the one
+  /// that would without limits.
+  template <class S>
+  [[nodiscard]] S quasiStaticCurrent(const MotorConstants& motor, const S& duty, const S& free,
+                                     const S& back) const {
+    using std::max;
+    using std::min;
+    if (activeBraking) return S(min(S(max(free, S(-maxCurrent))), S(maxCurrent)));
+    const double way = wayOf(duty);
+    const S bottom = max(S(0), S(-way * back / (motor.resistance + resistance)));
+    return S(way * max(S(min(S(way * free), S(maxCurrent))), bottom));
+  }
+  /// Without active braking a current against the duty, which the last step or a reversal left, is
+  /// none.
+  void settle(double duty, double& current) const {
+    if (!activeBraking && wayOf(duty) * current < 0) current = 0;
+  }
+
+ private:
+  template <class S>
+  static double wayOf(const S& duty) {
+    return valueOf(duty) < 0 ? -1 : 1;
+  }
+};
+
+/// `motor` gives the other limit of the current.
+EscConstants buildEsc(const EscParameters& parameters, const MotorConstants& motor);
+
+template <>
+struct Describe<EscParameters> {
+  static void fields(schema::Builder<EscParameters>& b);
+};
+
+}  // namespace rotorbench

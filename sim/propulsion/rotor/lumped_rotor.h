@@ -1,0 +1,109 @@
+// A rotor: propeller with the spinning part of its motor, as the lumped model of
+//   J. Svacha, K. Mohta, V. Kumar, "Improving quadrotor trajectory tracking by compensating for
+//   aerodynamic effects", ICUAS 2017, in the form used by RotorPy (Folk, Paulos, Kumar 2023):
+//   thrust         T = k_eta w^2 + k_h |v_xy|^2 - k_z w v_z    along the rotor axis
+//   in-plane drag  H = -k_d w v_xy
+//   drag torque    Q = k_m w^2, on the body about the axis: -s Q (s = +1 counter-clockwise from
+//   above) flapping       M = -k_flap w (v x axis)
+// v: velocity of the hub against the air, v_z along the axis. SI; all forces scale with air
+// density.
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "sim/core/schema.h"
+#include "sim/propulsion/rotor/rotor_load.h"
+
+namespace rotorbench {
+
+/// What moving air does to the rotor, at the air density its alternative names.
+struct RotorInflow {
+  double drag = 0;    ///< k_d, N s^2/m/rad: in-plane force per speed and in-plane air speed
+  double inflow = 0;  ///< k_z, N s^2/m/rad: loss of thrust per speed and axial air speed
+  double translationalLift = 0;  ///< k_h, N s^2/m^2: thrust per in-plane air speed squared
+  double flapping = 0;           ///< k_flap, N s^2/rad: hub moment per speed and in-plane air speed
+  bool operator==(const RotorInflow&) const = default;
+};
+
+/// Coefficients as identified on a vehicle. Thrust, torque and diameter are the AscTec
+/// Hummingbird's until others are given; what moving air does is none until it is given, for no
+/// rotor has the figures of another.
+struct RotorCoefficients {
+  double thrust = 5.57e-6;  ///< k_eta, N s^2/rad^2
+  double torque = 1.36e-7;  ///< k_m, N m s^2/rad^2
+  RotorInflow inflow;
+  double referenceDensity = 1.225;  ///< kg/m^3 at which all of them hold
+  double diameter = 0.2032;         ///< m, for drawing and advance ratios
+  bool operator==(const RotorCoefficients&) const = default;
+};
+
+/// A propeller by its static coefficients: T = CT rho n^2 D^4, P = CP rho n^3 D^5, so
+/// Q = CP rho n^2 D^5/(2 pi), n in 1/s. Defaults: DJI 9450.
+struct PropellerCoefficients {
+  double thrustCoefficient = 0.1288;  ///< CT at rest
+  double powerCoefficient = 0.0666;   ///< CP at rest
+  double diameter = 0.24003;          ///< m
+  RotorInflow inflow;                 ///< at 1.225 kg/m^3
+  bool operator==(const PropellerCoefficients&) const = default;
+};
+
+/// The lumped model per unit of air density, for one rotor (Real is double) or for several at once
+/// (Real is an Eigen::Array of double with one lane per rotor).
+template <class Real>
+struct RotorModel {
+  Real thrust{}, torque{}, drag{}, inflow{}, lift{}, flapping{};
+
+  /// Speed w in rad/s (negative: turning backwards, thrust and torque change sign), hub velocity
+  /// against the air and axis in body axes, spin +-1, density in kg/m^3.
+  template <class S, class Vector, class Axis, class Density>
+  [[nodiscard]] RotorLoad<S, Vector> load(const S& w, const Vector& v, const Axis& axis,
+                                          const Real& spin, const Density& density) const {
+    using std::abs;
+    const S magnitude = abs(w);
+    const S axial = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
+    const S inPlaneSquared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - axial * axial;
+    const S drive = density * magnitude;
+    const S square = drive * w;
+    RotorLoad<S, Vector> l;
+    l.thrust = thrust * square + lift * (density * inPlaneSquared) - inflow * (drive * axial);
+    l.torque = torque * square;
+    const S side = drag * drive;
+    // In-plane velocity is v - axial * axis; its axial part is put back into the thrust here.
+    const S along = l.thrust + side * axial;
+    const S twist = -spin * l.torque;
+    const S flap = flapping * drive;
+    for (int k = 0; k < 3; ++k) {
+      const int a = (k + 1) % 3, b = (k + 2) % 3;
+      l.force[k] = along * axis[k] - side * v[k];
+      l.moment[k] = twist * axis[k] - flap * (v[a] * axis[b] - v[b] * axis[a]);
+    }
+    return l;
+  }
+};
+
+/// The model of a rotor given by its coefficients, with its in-plane terms.
+RotorModel<double> lumpedModel(const RotorCoefficients& c);
+RotorModel<double> lumpedModel(const PropellerCoefficients& c);
+
+/// Thrust and torque of a propeller per air density and speed squared (rad/s), from its
+/// coefficients CT and CP.
+struct SquareFactors {
+  double thrust;  ///< m^4: T = thrust rho w^2
+  double torque;  ///< m^5
+};
+SquareFactors squareFactors(double thrustCoefficient, double powerCoefficient, double diameter);
+
+template <>
+struct Describe<RotorInflow> {
+  static void fields(schema::Builder<RotorInflow>& b);
+};
+template <>
+struct Describe<RotorCoefficients> {
+  static void fields(schema::Builder<RotorCoefficients>& b);
+};
+template <>
+struct Describe<PropellerCoefficients> {
+  static void fields(schema::Builder<PropellerCoefficients>& b);
+};
+}  // namespace rotorbench

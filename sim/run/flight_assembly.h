@@ -1,0 +1,24 @@
+// Puts a flight together round a controller: plant, sensors, estimator, timeline, controller, speed
+// controllers. The factory of flight_run.cpp uses it for every alternative of Flight::control, and
+// a program may use it with a controller of its own.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "sim/control/controller.h"
+#include "sim/control/motor_speed.h"
+#include "sim/run/builders.h"
+#include "sim/run/flight_simulation.h"
+
+namespace rotorbench {
+
+using ControllerFactory = std::function<std::unique_ptr<Controller>(const ControlModel&)>;
+
+/// The parts of a flight whose controller `factory` makes for the vehicle as planned; set-points
+/// are those of `timeline`. Throws InputError with paths from the context's place on.
+FlightParts controlledFlight(const Flight& flight, const MotorSpeedParameters& motors,
+                             const PidControl& timeline, const BuildContext& context,
+                             const ControllerFactory& factory);
+
+}  // namespace rotorbench

@@ -1,0 +1,88 @@
+#include "sim/run/flight_simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/run/flight_figures.h"
+#include "sim/run/simulation.h"
+
+namespace rotorbench {
+
+FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& outputs,
+                                   FlightParts parts)
+    : SimulationBase(flight.tick),
+      duration_(flight.duration),
+      plant_(std::move(parts.plant)),
+      scheduler_(std::move(parts.tasks), Signal::Truth),
+      held_(std::move(parts.held)),
+      timeline_(std::move(parts.timeline)),
+      watch_(held_),
+      every_(ticksPerRow(outputs, flight.tick)),
+      ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
+  board_.rotors = plant_->rotors();
+  std::vector<Channel> channels{{"time", "s", "Simulated time"}};
+  for (auto& c : plant_->channels()) channels.push_back(std::move(c));
+  firstOfTasks_ = channels.size();
+  for (auto& c : scheduler_.channels()) channels.push_back(std::move(c));
+  row_.resize(channels.size());
+  recording_ = &addRun("Flight", std::move(channels), outputs);
+}
+
+SimulationState FlightSimulation::advance(std::int64_t ticks) {
+  for (; ticks > 0 && state() == SimulationState::Running; --ticks) tick();
+  recording_->publish();
+  return state();
+}
+
+Progress FlightSimulation::progress() const {
+  return {static_cast<double>(done_) / static_cast<double>(ticks_), plant_->time(), "flying"};
+}
+
+void FlightSimulation::tick() {
+  const double t = plant_->time();
+  const double next =
+      done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
+  if (!prepare({t, next - t})) return;
+  if (plant_->advance(next) == ode::Status::Failed) return fail(plant_->failure());
+  if (++done_ < ticks_) return;
+  // The last row shows where the flight ended.
+  if (prepare({next, tickSeconds()})) end(SimulationState::Finished);
+}
+
+bool FlightSimulation::prepare(const ClockTick& tick) {
+  plant_->observe(board_.truth);
+  scheduler_.run(tick, board_, row_.data() + firstOfTasks_);
+  const double bus = plant_->command(tick, board_.command);
+  watch_.see(tick.time, board_.truth, board_.setPoint);
+  // A winding takes up no current at once: the bus at the start of a tick is the one under load.
+  const bool empty = bus < plant_->supply().cutOff;
+  if (done_ % every_ != 0 && done_ < ticks_ && !empty) return true;
+  row_[0] = tick.time;
+  plant_->row(row_.data() + 1);
+  const bool kept = recording_->append(row_);
+  if (!kept) failFull(tick.time);
+  if (kept && empty) fail(emptyBattery(tick.time, bus, plant_->supply().cutOff));
+  return kept && !empty;
+}
+
+MetricTable FlightSimulation::metrics() const {
+  MetricRow figures{runs().front().name, {}};
+  const ode::Statistics statistics = plant_->statistics();
+  const auto count = [](std::int64_t n) { return static_cast<double>(n); };
+  figures.metrics.push_back({"end_time", "s", "Simulated time at the end", plant_->time()});
+  addStepFigures(*recording_, held_, timeline_, figures.metrics);
+  addFlightFigures(*recording_, plant_->supply(), figures.metrics);
+  for (const Verdict& verdict : verdicts()) {
+    figures.metrics.push_back(
+        {verdict.name, "s", "Time since when: " + verdict.what, verdict.time});
+  }
+  figures.metrics.push_back({"steps", "1", "Accepted steps", count(statistics.steps)});
+  figures.metrics.push_back({"evaluations", "1", "Evaluations of the equations of motion",
+                             count(statistics.evaluations)});
+  figures.metrics.push_back(
+      {"rejected", "1", "Steps thrown away by the error control", count(statistics.rejected)});
+  return {figures};
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,53 @@
+// The hybrid simulation of a flight. The order of a tick at time t: the plant's derivative and
+// forces, the tasks on them, the command to the plant, a row of the recording, the plant exactly to
+// t + h. The derivative is the first stage of the step.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/control/controller.h"
+#include "sim/run/flight_watch.h"
+#include "sim/run/plant_handle.h"
+#include "sim/run/scheduler.h"
+#include "sim/run/simulation.h"
+#include "sim/run/simulation_base.h"
+
+namespace rotorbench {
+
+/// What flies, and with which tasks.
+struct FlightParts {
+  std::unique_ptr<PlantHandle> plant;
+  std::vector<std::unique_ptr<Task>> tasks;
+  std::vector<HeldQuantity> held;     ///< by the controller among the tasks, if there is one
+  std::vector<SetPointRow> timeline;  ///< of whose steps figures are made
+};
+
+class FlightSimulation final : public SimulationBase {
+ public:
+  FlightSimulation(const Flight& flight, const OutputSettings& outputs, FlightParts parts);
+
+  SimulationState advance(std::int64_t ticks) override;
+  [[nodiscard]] Progress progress() const override;
+  [[nodiscard]] MetricTable metrics() const override;
+  [[nodiscard]] std::vector<Verdict> verdicts() const override { return watch_.verdicts(); }
+
+ private:
+  void tick();
+  /// Everything of a tick but the integration. False if the run has ended.
+  bool prepare(const ClockTick& tick);
+
+  double duration_;
+  std::unique_ptr<PlantHandle> plant_;
+  Scheduler scheduler_;
+  std::vector<HeldQuantity> held_;
+  std::vector<SetPointRow> timeline_;
+  FlightWatch watch_;
+  std::int64_t every_, ticks_, done_ = 0;
+  Board board_;
+  std::vector<double> row_;  ///< time, the plant's, the tasks'
+  std::size_t firstOfTasks_ = 0;
+  Recording* recording_ = nullptr;
+};
+
+}  // namespace rotorbench

@@ -1,0 +1,60 @@
+#include "sim/run/flight_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace rotorbench {
+
+namespace {
+
+/// The shortest way between two angles.
+double shortWay(double angle) {
+  return std::remainder(angle, 2 * std::numbers::pi);
+}
+
+}  // namespace
+
+FlightWatch::FlightWatch(std::vector<HeldQuantity> held)
+    : belowGround_(std::numeric_limits<double>::quiet_NaN()), overturned_(belowGround_) {
+  for (HeldQuantity& quantity : held) held_.push_back({.quantity = std::move(quantity)});
+}
+
+void FlightWatch::follow(Held& h, double wanted, double value) {
+  if (!h.started) {
+    h.error = h.quantity.turns ? shortWay(wanted - value) : wanted - value;
+    h.nearest = std::abs(h.error);
+    h.started = true;
+  } else if (h.quantity.turns) {
+    const double moved = shortWay(wanted - h.wanted);
+    h.error += moved - shortWay(value - h.value);
+    h.nearest += std::abs(moved);
+  } else {
+    h.error = wanted - value;
+    h.nearest += std::abs(wanted - h.wanted);
+  }
+  h.wanted = wanted;
+  h.value = value;
+  const double distance = std::abs(h.error);
+  h.nearest = std::min(h.nearest, distance);
+  if (distance <= h.nearest + h.quantity.limit) h.near = time_;
+}
+
+std::vector<Verdict> FlightWatch::verdicts() const {
+  std::vector<Verdict> found;
+  if (!std::isnan(belowGround_))
+    found.push_back({belowGround_, "below_ground", "below the ground"});
+  // Who lays inputs down in advance has asked for the attitude they lead to.
+  if (!std::isnan(overturned_) && !held_.empty())
+    found.push_back({overturned_, "overturned", "tilted beyond 90 degrees"});
+  for (const Held& h : held_) {
+    if (!h.started || time_ - h.near < kLeastAbsence) continue;
+    found.push_back(
+        {h.near, h.quantity.name + "_lost", "the set-point of " + h.quantity.name + " was left"});
+  }
+  std::ranges::stable_sort(found, {}, &Verdict::time);
+  return found;
+}
+
+}  // namespace rotorbench

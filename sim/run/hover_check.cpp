@@ -1,0 +1,139 @@
+#include "sim/run/hover_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/core/number_text.h"
+#include "sim/numerics/bracketed_root.h"
+#include "sim/vehicle/multirotor.h"
+
+namespace rotorbench {
+
+namespace {
+
+constexpr int kRotors = 4;
+using Constants = MultirotorConstants<kRotors>;
+using Plant = Multirotor<kRotors, RotorDrive::Motors>;
+
+std::string three(double value) {
+  return shortNumber(value, 3);
+}
+
+/// A map answers as the blade elements it is made of, to 0.2 %, but takes seconds to be made.
+void useBladeElements(RotorAerodynamics& aerodynamics) {
+  if (const auto* map = std::get_if<MapPropeller>(&aerodynamics))
+    aerodynamics = BladeElementPropeller{map->propeller, map->settings};
+}
+
+Constants withoutMaps(VehicleParameters vehicle, const EnvironmentParameters& environment) {
+  if (auto* equal = std::get_if<EqualRotors>(&vehicle.rotors)) {
+    useBladeElements(equal->rotor.aerodynamics);
+  } else {
+    for (auto& rotor : std::get<IndividualRotors>(vehicle.rotors).rotors)
+      useBladeElements(rotor.aerodynamics);
+  }
+  return buildMultirotor<kRotors>(vehicle, environment);
+}
+
+/// The first thing that is missing for a hover at these rotor speeds, or nothing.
+std::string missingFor(const Constants& c, const Plant::Command& speeds) {
+  const double density = c.air.density(0.0);
+  double power = 0, mostVoltage = 0;
+  int mostRotor = 0;
+  for (int i = 0; i < kRotors; ++i) {
+    const auto& hub = c.hubs[static_cast<std::size_t>(i)];
+    const double current =
+        hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
+    const double voltage = hub.drive().steadyVoltage(speeds[i], current);
+    if (current > hub.motor.maxCurrent) {
+      return "rotor " + std::to_string(i + 1) + " needs " + three(speeds[i]) + " rad/s and " +
+             three(current) + " A, and its limit is " + three(hub.motor.maxCurrent) + " A";
+    }
+    power += voltage * current;
+    if (voltage > mostVoltage) mostVoltage = voltage, mostRotor = i + 1;
+  }
+  // As steadyDuties(): the supply's own resistance takes its part.
+  const double root = c.openCircuit * c.openCircuit - 4 * c.supply.resistance * power;
+  if (root < 0) {
+    return "it takes " + three(power) + " W, and the supply gives at most " +
+           three(c.openCircuit * c.openCircuit / (4 * c.supply.resistance)) + " W";
+  }
+  const double bus = 0.5 * (c.openCircuit + std::sqrt(root));
+  if (mostVoltage > bus) {
+    return "rotor " + std::to_string(mostRotor) + " needs " + three(mostVoltage) +
+           " V, and the supply has " + three(bus) + " V under that load";
+  }
+  if (bus < c.supply.cutOff) {
+    return "under its load the supply falls to " + three(bus) + " V, below its cut-off of " +
+           three(c.supply.cutOff) + " V";
+  }
+  return {};
+}
+
+/// N along the vehicle's vertical with every rotor at full throttle at rest. Torques at other
+/// speeds than that of the hover are taken as its square.
+double fullThrottleLift(const Constants& c) {
+  const double density = c.air.density(0.0);
+  struct Full {
+    double lift = 0, current = 0;
+  };
+  const auto at = [&](double bus) {
+    Full full;
+    for (const auto& hub : c.hubs) {
+      const MotorConstants drive = hub.drive();
+      const double factor = density * hub.rotor.torque;
+      const double w = topSpeed(drive, factor, bus);
+      const double current = drive.steadyCurrent(w, factor * w * w);
+      full.lift += density * hub.rotor.thrust * w * w * hub.axis.z();
+      full.current += current * std::min(1.0, drive.steadyVoltage(w, current) / bus);
+    }
+    return full;
+  };
+  const double open = c.openCircuit;
+  const auto surplus = [&](double bus) {
+    return open - c.supply.resistance * at(bus).current - bus;
+  };
+  const double top = surplus(open), low = 0.01 * open;
+  if (!(top < 0)) return at(open).lift;
+  return at(bracketedRoot(surplus, low, surplus(low), open, top, 1e-6 * open)).lift;
+}
+
+}  // namespace
+
+void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
+  if (std::holds_alternative<SpeedInputs>(flight.control)) return;
+  const bool flown = std::holds_alternative<PidControl>(flight.control);
+  const bool starts = flight.start.rotors == RotorStart::Hover;
+  if (!flown && !starts) return;
+  try {
+    const Constants c = withoutMaps(flight.vehicle, flight.environment);
+    const std::string missing = missingFor(c, Plant(c).hoverSpeeds());
+    if (missing.empty()) return;
+    if (flown) {
+      const double lift = fullThrottleLift(c);
+      problems.push_back({"vehicle.rotors",
+                          "cannot hold the vehicle in a hover: " + missing +
+                              "; at full throttle they lift about " + three(lift) + " N of its " +
+                              three(c.mass * c.gravity) + " N",
+                          "stronger rotors, or at most " + three(lift / c.gravity) + " kg", true});
+    }
+    if (starts) {
+      problems.push_back({"start.rotors",
+                          "begins in a hover that the motors cannot hold: " + missing,
+                          "rotors that stand still or turn at a given speed, or a vehicle that "
+                          "can hover",
+                          true});
+    }
+  } catch (const InputError& error) {
+    // A start in a hover that does not exist, or a vehicle that cannot be built, is refused when
+    // the run is built.
+    if (starts) return;
+    for (Problem problem : error.problems()) {
+      problem.path = problem.path.empty() ? "vehicle" : "vehicle." + problem.path;
+      problem.warning = true;
+      problems.push_back(std::move(problem));
+    }
+  }
+}
+
+}  // namespace rotorbench

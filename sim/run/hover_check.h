@@ -1,0 +1,17 @@
+// Whether a flight's vehicle can hover, said before it runs.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/core/error.h"
+#include "sim/document/flight.h"
+
+namespace rotorbench {
+
+/// Warns, with paths below the flight, if motors, speed controllers and supply cannot hold the
+/// vehicle in still air: where a controller is to fly it, and where it starts in a hover. `flight`
+/// has no errors.
+void warnOfHover(const Flight& flight, std::vector<Problem>& problems);
+
+}  // namespace rotorbench

@@ -1,0 +1,75 @@
+#include "sim/run/load_inputs.h"
+
+#include <algorithm>
+
+#include "sim/io/csv.h"
+#include "sim/signal/input_signal.h"
+
+namespace rotorbench {
+
+namespace {
+
+template <class Quantity>
+InputSignal fromCsv(const CsvInputs<Quantity>& csv, const std::filesystem::path& directory,
+                    const Place& place) {
+  if (csv.file.empty()) throw place.error({{"source.file", "no file is named", "a CSV file"}});
+  const CsvTable table = readCsvFile(directory / csv.file);
+  if (table.columns.size() != 5) {
+    throw InputError(table.source, {{"", "has " + std::to_string(table.columns.size()) + " columns",
+                                     "five: time, then one per rotor"}});
+  }
+  const auto time = table.values(table.columns.front().name, "s");
+  std::vector<InputSignal::Sample> samples(time.size());
+  for (std::size_t r = 0; r < time.size(); ++r) {
+    samples[r].time = time[r];
+    if (r > 0 && time[r] <= time[r - 1]) {
+      throw InputError(table.source,
+                       {{"row " + std::to_string(r + 1), "is not later than the row before",
+                         "times must rise from row to row"}});
+    }
+  }
+  for (int i = 0; i < 4; ++i) {
+    const auto values =
+        table.values(table.columns[static_cast<std::size_t>(i) + 1].name, Quantity::kUnit);
+    for (std::size_t r = 0; r < values.size(); ++r) {
+      if (values[r] < Quantity::kLow || values[r] > Quantity::kHigh) {
+        throw InputError(
+            table.source,
+            {{"row " + std::to_string(r + 1), "rotor " + std::to_string(i + 1) + " is out of range",
+              "at least " + std::to_string(Quantity::kLow) + " and at most " +
+                  std::to_string(Quantity::kHigh) + " " + Quantity::kUnit}});
+      }
+      samples[r].values[i] = values[r];
+    }
+  }
+  if (samples.empty()) throw InputError(table.source, {{"", "has no rows", "at least one"}});
+  return {std::move(samples), csv.interpolation};
+}
+
+template <class Quantity>
+InputSignal load(const PrescribedInputs<Quantity>& inputs, const std::filesystem::path& directory,
+                 const Place& place) {
+  if (const auto* constant = std::get_if<ConstantInputs<Quantity>>(&inputs.source)) {
+    return {{{0, constant->values}}, Interpolation::Hold};
+  }
+  if (const auto* csv = std::get_if<CsvInputs<Quantity>>(&inputs.source))
+    return fromCsv(*csv, directory, place);
+  const auto& table = std::get<TableInputs<Quantity>>(inputs.source);
+  std::vector<InputSignal::Sample> samples;
+  samples.reserve(table.rows.size());
+  for (const auto& row : table.rows) samples.push_back({row.time, row.values});
+  return {std::move(samples), table.interpolation};
+}
+
+}  // namespace
+
+InputSignal loadInputs(const SpeedInputs& inputs, const std::filesystem::path& directory,
+                       const Place& place) {
+  return load(inputs, directory, place);
+}
+InputSignal loadInputs(const VoltageInputs& inputs, const std::filesystem::path& directory,
+                       const Place& place) {
+  return load(inputs, directory, place);
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,19 @@
+// Inputs laid down in advance, made ready for a run: read from the experiment or from a file.
+#pragma once
+
+#include <filesystem>
+
+#include "sim/core/place.h"
+#include "sim/document/prescribed_inputs.h"
+#include "sim/signal/input_signal.h"
+
+namespace rotorbench {
+
+/// Reads the source; files are looked for relative to `directory`. The inputs are described at
+/// `place`. Throws InputError (missing file, wrong columns, times that do not rise).
+InputSignal loadInputs(const SpeedInputs& inputs, const std::filesystem::path& directory,
+                       const Place& place = {});
+InputSignal loadInputs(const VoltageInputs& inputs, const std::filesystem::path& directory,
+                       const Place& place = {});
+
+}  // namespace rotorbench

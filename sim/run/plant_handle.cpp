@@ -1,0 +1,65 @@
+#include "sim/run/plant_handle.h"
+
+#include "sim/run/multirotor_handle.h"
+
+namespace rotorbench {
+
+namespace {
+
+constexpr int kRotors = 4;
+
+template <int N>
+ControlModel controlModelOf(const MultirotorConstants<N>& c) {
+  ControlModel m;
+  m.rotors = N;
+  m.mass = c.mass;
+  m.gravity = c.gravity;
+  m.inertia = c.inertia;
+  m.inverseInertia = c.inverseInertia;
+  const double density = c.air.density(0.0);
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto& hub = c.hubs[i];
+    m.thrustFactor[i] = density * hub.rotor.thrust;
+    m.torqueFactor[i] = density * hub.rotor.torque;
+    m.rotorInertia[i] = hub.rotor.inertia;
+    m.motors[i] = hub.drive();
+    m.escs[i] = hub.esc;
+    const double top = topSpeed(m.motors[i], m.torqueFactor[i], c.openCircuit);
+    m.maxThrust[i] = m.thrustFactor[i] * top * top;
+    const Eigen::Vector3d moment =
+        hub.arm.cross(hub.axis) - hub.spin * (hub.rotor.torque / hub.rotor.thrust) * hub.axis;
+    m.effect.col(static_cast<Eigen::Index>(i)) << hub.axis.z(), moment;
+  }
+  return m;
+}
+
+template <class Make>
+auto at(const Place& place, Make&& make) {
+  try {
+    return make();
+  } catch (const InputError& error) {
+    throw place.error(error.problems());
+  }
+}
+
+}  // namespace
+
+std::unique_ptr<PlantHandle> makePlant(const Flight& flight, RotorDrive drive,
+                                       const Place& vehicle) {
+  return at(vehicle, [&]() -> std::unique_ptr<PlantHandle> {
+    const auto constants = buildMultirotor<kRotors>(flight.vehicle, flight.environment);
+    if (drive == RotorDrive::Motors)
+      return std::make_unique<MultirotorHandle<Multirotor<kRotors, RotorDrive::Motors>>>(constants,
+                                                                                         flight);
+    return std::make_unique<MultirotorHandle<Multirotor<kRotors, RotorDrive::PrescribedSpeeds>>>(
+        constants, flight);
+  });
+}
+
+ControlModel controlModel(const VehicleParameters& vehicle,
+                          const EnvironmentParameters& environment, const Place& place) {
+  return at(place,
+            [&] { return controlModelOf(buildMultirotor<kRotors>(vehicle, environment, true)); });
+}
+
+}  // namespace rotorbench

@@ -1,0 +1,38 @@
+#include "sim/run/simulation_base.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rotorbench {
+
+Recording& SimulationBase::addRun(std::string name, std::vector<Channel> channels,
+                                  const OutputSettings& outputs, std::size_t share) {
+  const RecordingLimits limits{
+      static_cast<std::size_t>(outputs.memoryLimit) / std::max<std::size_t>(1, share),
+      outputs.thinWhenFull ? WhenFull::Thin : WhenFull::Stop};
+  runs_.push_back({std::move(name), std::make_shared<Recording>(std::move(channels), limits)});
+  return *runs_.back().recording;
+}
+
+void SimulationBase::end(SimulationState state) {
+  for (const auto& run : runs_) run.recording->finish();
+  state_ = state;
+}
+
+void SimulationBase::fail(RunFailure failure) {
+  failure_ = std::move(failure);
+  end(SimulationState::Failed);
+}
+
+void SimulationBase::failFull(double time) {
+  fail({time, "recording",
+        "the memory limit of the recording is reached; raise outputs.memoryLimit or "
+        "outputs.recordInterval, or let "
+        "it thin out"});
+}
+
+std::int64_t ticksPerRow(const OutputSettings& outputs, double tickSeconds) {
+  return std::max<std::int64_t>(1, std::llround(outputs.recordInterval / tickSeconds));
+}
+
+}  // namespace rotorbench
