@@ -3,9 +3,14 @@
 #include <benchmark/benchmark.h>
 
 #include "sim/control/control_model.h"
-#include "sim/experiment/experiment_file.h"
-#include "sim/experiment/pid_pilot.h"
-#include "sim/experiment/simulation.h"
+#include "sim/control/pid_flight.h"
+#include "sim/control/speed_controllers.h"
+#include "sim/document/experiment_file.h"
+#include "sim/run/plant_handle.h"
+#include "sim/run/scheduler.h"
+#include "sim/run/simulation.h"
+#include "sim/sensing/sensor_tasks.h"
+#include "sim/sensing/true_state.h"
 
 namespace {
 
@@ -59,21 +64,28 @@ void derivative(benchmark::State& state) {
 }
 BENCHMARK(derivative);
 
-/// The controller's part of a tick, sensors included.
+/// All of a tick but the integration, recording and derivative included: what the tasks cost.
 void controllerTick(benchmark::State& state) {
-  const auto& flight = std::get<Flight>(flagship().setup);
-  PidPilot::Plant plant(buildMultirotor<4>(flight.vehicle, flight.environment));
-  PidPilot pilot(std::get<PidControl>(flight.control), controlModel<4>(plant.constants()),
-                 flight.tick);
-  auto y = plant.initialState(flight.start), dydt = y;
-  MultirotorForces<4> forces;
-  plant.derivativeAndForces(y, dydt, forces);
-  double t = 0;
+  Experiment experiment = flagship();
+  auto& flight = std::get<Flight>(experiment.setup);
+  const auto& pid = std::get<PidControl>(flight.control).controller;
+  const ControlModel model = controlModel(flight.vehicle, flight.environment, {});
+  const auto plant = makePlant(flight, RotorDrive::Motors, {});
+  std::vector<std::unique_ptr<Task>> tasks;
+  tasks.push_back(makeSensors(flight.sensors, 1));
+  tasks.push_back(std::make_unique<TrueState>());
+  tasks.push_back(std::make_unique<PidFlight>(pid, model, Timing{2}));
+  tasks.push_back(std::make_unique<SpeedControllers>(pid.motors, model, Timing{}));
+  Scheduler scheduler(std::move(tasks), Signal::Truth | Signal::SetPoint);
+  std::vector<double> row(scheduler.channels().size());
+  Board board;
+  plant->observe(board.truth);
+  ClockTick tick{0, flight.tick};
   for (auto _ : state) {
-    plant.setCommand(pilot.command(t, plant, y, forces), y);
-    plant.updateCommand(y, dydt, forces);
-    t += flight.tick;
-    benchmark::DoNotOptimize(y);
+    scheduler.run(tick, board, row.data());
+    plant->command(tick, board.command);
+    tick.time += flight.tick;
+    benchmark::DoNotOptimize(board);
   }
 }
 BENCHMARK(controllerTick);

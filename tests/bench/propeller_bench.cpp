@@ -6,7 +6,7 @@
 
 #include <array>
 
-#include "sim/propulsion/rotor.h"
+#include "sim/propulsion/rotor/rotor.h"
 
 namespace {
 

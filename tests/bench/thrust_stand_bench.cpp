@@ -4,8 +4,8 @@
 #include <benchmark/benchmark.h>
 
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/experiment_file.h"
-#include "sim/experiment/simulation.h"
+#include "sim/document/experiment_file.h"
+#include "sim/run/simulation.h"
 
 namespace {
 

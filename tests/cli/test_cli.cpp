@@ -175,12 +175,12 @@ class TestCli : public QObject {
   /// Warnings of the schema's own rules reach the terminal too.
   void warningsOfRules() {
     const Outcome run = cli({"run", shipped("motor-bench-e305"), "--format", "json", "--set",
-                             "setup.solver.method=rk4", "--set", "setup.solver.step=5 ms", "--set",
-                             "setup.tick=5 ms", "--set", "setup.duration=0.05"});
-    QVERIFY2(run.err.contains("warning: setup.solver.step: "), run.err.constData());
+                             "setup.run.solver.method=rk4", "--set", "setup.run.solver.step=5 ms",
+                             "--set", "setup.run.tick=5 ms", "--set", "setup.run.duration=0.05"});
+    QVERIFY2(run.err.contains("warning: setup.run.solver.step: "), run.err.constData());
     const QJsonArray kept = QJsonDocument::fromJson(run.out).object()["warnings"].toArray();
     QVERIFY2(kept.size() == 1, run.out.constData());
-    QCOMPARE(kept[0]["path"].toString(), QString("setup.solver.step"));
+    QCOMPARE(kept[0]["path"].toString(), QString("setup.run.solver.step"));
   }
 
   /// Another model of the propeller, and a second one, by --set; a measured one tells its limits.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/page.h"
 #include "tests/validation/uiuc_data.h"

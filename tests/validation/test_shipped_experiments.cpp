@@ -8,10 +8,11 @@
 #include <sstream>
 
 #include "sim/core/schema_tree.h"
-#include "sim/experiment/resources.h"
-#include "sim/experiment/run_files.h"
+#include "sim/document/resources.h"
 #include "sim/io/csv.h"
 #include "sim/io/file.h"
+#include "sim/run/run_files.h"
+#include "sim/run/simulation.h"
 #include "tests/validation/run_experiment.h"
 
 using namespace rotorbench;

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "sim/run/drive_build.h"
 #include "tests/validation/run_experiment.h"
 
 using namespace rotorbench;

@@ -1,6 +1,7 @@
 #include <QtTest>
 
 #include "sim/control/allocation.h"
+#include "sim/run/plant_handle.h"
 
 using namespace rotorbench;
 
@@ -16,7 +17,7 @@ class TestAllocation : public QObject {
   void uncontrollableLayoutIsRefused();
 
  private:
-  static ControlModel<4> model(int layout) {
+  static ControlModel model(int layout) {
     VehicleParameters v;
     if (layout == 1) v.layout = PlusLayout{};
     if (layout == 2) {
@@ -25,7 +26,7 @@ class TestAllocation : public QObject {
       free.rotors[1].position = {0.02, 0.25, 0.03};
       v.layout = free;
     }
-    return controlModel(buildMultirotor<4>(v, {}));
+    return controlModel(v, {}, {});
   }
 };
 
@@ -39,7 +40,7 @@ void TestAllocation::roundTrip_data() {
 void TestAllocation::roundTrip() {
   QFETCH(int, layout);
   const auto m = model(layout);
-  const Allocation<4> allocation(m);
+  const Allocation allocation(m);
   for (const Wrench& demand : {Wrench(13.7, 0, 0, 0), Wrench(16, 0.3, -0.2, 0.05)}) {
     const auto r = allocation.allocate(demand);
     QVERIFY(!r.limited);
@@ -53,7 +54,9 @@ void TestAllocation::plusLayoutUsesThePublishedSigns() {
   const double r = 0.225, k = m.torqueFactor[0] / m.thrustFactor[0];
   Eigen::Matrix4d expected;
   expected << 1, 1, 1, 1, 0, r, 0, -r, -r, 0, r, 0, -k, k, -k, k;
-  QVERIFY((m.effect - expected).norm() < 1e-12);
+  QCOMPARE(m.rotors, 4);
+  QVERIFY((m.effect.leftCols<4>() - expected).norm() < 1e-12);
+  QVERIFY(m.effect.rightCols<4>().isZero(0));
 }
 
 void TestAllocation::limitsKeepRollAndPitchFirst_data() {
@@ -70,7 +73,7 @@ void TestAllocation::limitsKeepRollAndPitchFirst() {
   QFETCH(Eigen::Vector4d, demand);
   QFETCH(bool, thrustKept);
   const auto m = model(0);
-  const auto r = Allocation<4>(m).allocate(demand);
+  const auto r = Allocation(m).allocate(demand);
   QVERIFY(r.limited);
   QVERIFY(r.thrust.minCoeff() >= 0 && r.thrust.maxCoeff() <= m.maxThrust[0] + 1e-12);
   QVERIFY((r.achieved - m.effect * r.thrust).norm() < 1e-12);
@@ -84,7 +87,7 @@ void TestAllocation::limitsKeepRollAndPitchFirst() {
   QVERIFY(atLimit);
 
   // Beyond reach even alone, roll and pitch shrink together and keep their direction.
-  const auto wild = Allocation<4>(m).allocate(Wrench(14, 60, -30, 1));
+  const auto wild = Allocation(m).allocate(Wrench(14, 60, -30, 1));
   QVERIFY(wild.achieved[1] > 1 && std::abs(wild.achieved[2] / wild.achieved[1] + 0.5) < 1e-9);
 }
 
@@ -109,8 +112,9 @@ void TestAllocation::uncontrollableLayoutIsRefused() {
   v.layout = line;
   bool refused = false;
   try {
-    const Allocation<4> allocation(controlModel(buildMultirotor<4>(v, {})));
-  } catch (const InputError&) {
+    const Allocation allocation(controlModel(v, {}, {}), Place("setup.vehicle"));
+  } catch (const InputError& error) {
+    QCOMPARE(error.problems().front().path, std::string("setup.vehicle.layout"));
     refused = true;
   }
   QVERIFY(refused);

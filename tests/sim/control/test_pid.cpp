@@ -120,7 +120,7 @@ void TestPid::rateMustDivideTheTick() {
   QFETCH(int, ticks);
   int got = 0;
   try {
-    got = ticksBetween(rate, 1e-3, "controller.rate");
+    got = ticksBetween(rate, 1e-3, Place("controller") / "rate");
   } catch (const InputError& e) {
     QCOMPARE(e.problems().at(0).path, std::string("controller.rate"));
   }

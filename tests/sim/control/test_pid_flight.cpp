@@ -2,8 +2,11 @@
 #include <cmath>
 
 #include "sim/control/pid_flight.h"
+#include "sim/control/speed_controllers.h"
 #include "sim/core/schema_tree.h"
-#include "sim/sensing/measurement.h"
+#include "sim/run/plant_handle.h"
+#include "sim/run/scheduler.h"
+#include "sim/vehicle/multirotor.h"
 #include "tests/sim/vehicle/plain_rk4.h"
 
 using namespace rotorbench;
@@ -15,10 +18,33 @@ namespace {
 constexpr double kDegree = M_PI / 180;
 constexpr double kTick = 1e-3;
 
+BodyMotion bodyOf(const Plant::State& y, const MultirotorForces<4>& forces) {
+  return {y.segment<3>(L::kPosition), y.segment<3>(L::kVelocity), forces.attitude, forces.rates};
+}
+
+/// Controller 1 with its speed controllers, asked at every tick of 1 ms.
+struct Cascade {
+  ControlModel model;
+  PidFlight pid;
+  SpeedControllers motors;
+  int every = ticksBetween(PidFlightParameters{}.rate, kTick, {}), count = 0;
+
+  explicit Cascade(const VehicleParameters& v)
+      : model(controlModel(v, {}, {})), pid({}, model, {}), motors({}, model, {}) {}
+  Eigen::Vector4d update(const Plant::State& y, const MultirotorForces<4>& forces,
+                         const SetPoint& setPoint) {
+    if (count++ % every == 0) pid.update(bodyOf(y, forces), setPoint);
+    DriveReadings drives;
+    drives.speed.head<4>() = y.segment<4>(L::kSpeed);
+    drives.busVoltage = forces.busVoltage;
+    return motors.update({pid.rotorSpeedSetPoints()}, drives).head<4>();
+  }
+};
+
 /// A flight with controller 1, stepped by a plain RK4.
 struct Flight4 {
   Plant plant;
-  PidFlightController<4> controller;
+  Cascade controller;
   Plant::State y;
   int substeps;
   int limited = 0;
@@ -27,19 +53,19 @@ struct Flight4 {
 
   explicit Flight4(const VehicleParameters& v, const FlightStart& start = {}, int steps = 1)
       : plant(buildMultirotor<4>(v, {})),
-        controller({}, controlModel(buildMultirotor<4>(v, {}, true)), kTick),
+        controller(v),
         y(plant.initialState(start)),
         substeps(steps) {}
 
-  void fly(double seconds, const FlightSetPoint& setPoint) {
+  void fly(double seconds, const SetPoint& setPoint) {
     Plant::State d;
     MultirotorForces<4> forces;
     const auto ticks = std::lround(seconds / kTick);
     limited = 0;
     for (long k = 0; k < ticks; ++k) {
       plant.derivativeAndForces(y, d, forces);
-      plant.setCommand(controller.update(IdealSensors{}.measure<4>(y, forces), setPoint));
-      limited += controller.limited() ? 1 : 0;
+      plant.setCommand(controller.update(y, forces, setPoint));
+      limited += controller.pid.limited() ? 1 : 0;
       mostCurrent = std::max(mostCurrent, y.segment<4>(L::kCurrent).cwiseAbs().maxCoeff());
       lowestHeight = std::min(lowestHeight, y[L::kPosition + 2]);
       highestHeight = std::max(highestHeight, y[L::kPosition + 2]);
@@ -48,7 +74,7 @@ struct Flight4 {
   }
   [[nodiscard]] Eigen::Vector3d attitude() const { return eulerAngles(y.segment<4>(L::kAttitude)); }
   /// Below 1 mm and 0.01 degree.
-  [[nodiscard]] bool settledAt(const FlightSetPoint& s) const {
+  [[nodiscard]] bool settledAt(const SetPoint& s) const {
     const Eigen::Vector3d error = attitude() - Eigen::Vector3d(s.roll, s.pitch, s.yaw);
     return std::abs(y[L::kPosition + 2] - s.height) < 1e-3 &&
            error.cwiseAbs().maxCoeff() < 0.01 * kDegree;
@@ -96,7 +122,7 @@ void TestPidFlight::settlesOnEverySetPoint() {
     v.mass = mass;
   }
   Flight4 flight(v, {}, vehicle == 2 ? 4 : 1);
-  FlightSetPoint s;
+  SetPoint s;
   s.height = 2;
   flight.fly(8, s);
   QVERIFY(flight.settledAt(s));
@@ -128,7 +154,7 @@ void TestPidFlight::yawTakesTheShortWay() {
   FlightStart start;
   start.attitude = {0, 0, 170 * kDegree};
   Flight4 flight(VehicleParameters{}, start);
-  FlightSetPoint s;
+  SetPoint s;
   s.yaw = -170 * kDegree;
   flight.fly(0.5, s);
   const double turned = flight.attitude().z();
@@ -143,7 +169,7 @@ void TestPidFlight::recoversFromAnImpossibleDemand() {
   VehicleParameters v;
   v.payloads = {{1.2, {0, 0, 0}}};
   Flight4 flight{v};
-  FlightSetPoint s{.height = 20, .roll = 0.3, .pitch = -0.3, .yaw = 2};
+  SetPoint s{.height = 20, .roll = 0.3, .pitch = -0.3, .yaw = 2};
   flight.fly(1, s);
   QVERIFY(flight.limited > 0);
   s = {.height = 20, .roll = 0, .pitch = 0, .yaw = 2};
@@ -153,24 +179,24 @@ void TestPidFlight::recoversFromAnImpossibleDemand() {
 }
 
 void TestPidFlight::loopsRunAtTheirOwnRates() {
-  VehicleParameters v;
   PidFlightParameters p;
   p.rate = 250;
-  PidFlightController<4> controller(p, controlModel(buildMultirotor<4>(v, {})), kTick);
-  Plant plant(buildMultirotor<4>(v, {}));
-  auto y = plant.initialState({});
-  Plant::State d;
-  MultirotorForces<4> forces;
+  std::vector<std::unique_ptr<Task>> tasks;
+  tasks.push_back(std::make_unique<PidFlight>(p, controlModel({}, {}, {}),
+                                              Timing{ticksBetween(p.rate, kTick, {})}));
+  Scheduler scheduler(std::move(tasks), Signal::Estimate | Signal::SetPoint);
+  std::vector<double> row(scheduler.channels().size());
+  Board board;
   int changes = 0;
-  Eigen::Vector4d last = Eigen::Vector4d::Zero();
+  PerRotor last = PerRotor::Zero();
   for (int k = 0; k < 40; ++k) {
-    y[L::kPosition + 2] = -0.001 * k;  // every tick brings another height
-    plant.derivativeAndForces(y, d, forces);
-    controller.update(IdealSensors{}.measure<4>(y, forces), {});
-    if (controller.rotorSpeedSetPoints() != last) ++changes;
-    last = controller.rotorSpeedSetPoints();
+    board.estimate.body.position[2] = -0.001 * k;  // every tick brings another height
+    scheduler.run({k * kTick, kTick}, board, row.data());
+    if (board.demand.speed != last) ++changes;
+    last = board.demand.speed;
   }
   QCOMPARE(changes, 10);
+  QCOMPARE(row.back(), last[3]);
 }
 
 void TestPidFlight::defaultsAreValid() {

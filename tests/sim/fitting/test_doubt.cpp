@@ -7,7 +7,7 @@
 #include "sim/fitting/doubt.h"
 #include "sim/fitting/duty_source.h"
 #include "sim/fitting/fit_request.h"
-#include "sim/measurement/csv_import.h"
+#include "sim/logs/csv_import.h"
 
 using namespace rotorbench;
 

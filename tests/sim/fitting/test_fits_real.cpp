@@ -6,7 +6,7 @@
 
 #include "sim/fitting/motor_fit.h"
 #include "sim/fitting/propeller_fit.h"
-#include "sim/measurement/csv_import.h"
+#include "sim/logs/csv_import.h"
 
 using namespace rotorbench;
 

@@ -8,9 +8,9 @@
 #include "sim/io/file.h"
 #include "sim/library/component_file.h"
 #include "sim/library/component_library.h"
-#include "sim/propulsion/battery.h"
-#include "sim/propulsion/blade.h"
-#include "sim/propulsion/motor.h"
+#include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/motor.h"
+#include "sim/propulsion/rotor/blade.h"
 
 using namespace rotorbench;
 namespace fs = std::filesystem;

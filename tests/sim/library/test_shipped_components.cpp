@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "sim/library/component_library.h"
-#include "sim/propulsion/battery.h"
-#include "sim/propulsion/blade_element.h"
-#include "sim/propulsion/esc.h"
-#include "sim/propulsion/measured_propeller.h"
+#include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/esc.h"
+#include "sim/propulsion/rotor/blade_element.h"
+#include "sim/propulsion/rotor/measured_propeller.h"
 #include "sim/vehicle/multirotor.h"
 #include "sim/vehicle/vehicle_parameters.h"
 

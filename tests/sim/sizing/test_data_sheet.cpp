@@ -6,7 +6,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 #include "sim/sizing/apply_data_sheet.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"

@@ -6,7 +6,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/performance.h"
 

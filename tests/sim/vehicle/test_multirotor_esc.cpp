@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sim/ode/solver.h"
-#include "sim/propulsion/drive_train.h"
+#include "sim/propulsion/drive/drive_train.h"
 #include "sim/vehicle/multirotor.h"
 #include "tests/sim/ode/function_system.h"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <unsupported/Eigen/AutoDiff>
 
-#include "sim/control/control_model.h"
+#include "sim/run/plant_handle.h"
 #include "sim/vehicle/multirotor.h"
 
 using namespace rotorbench;
@@ -67,7 +67,7 @@ class TestMultirotorModels : public QObject {
   void controllerKnowsHover_data() { addModels(); }
   void controllerKnowsHover() {
     const auto constants = buildMultirotor<4>(fetched(), {});
-    const auto known = controlModel(constants);
+    const auto known = controlModel(fetched(), {}, {});
     const auto speeds = Plant(constants).hoverSpeeds();
     double thrust = 0;
     for (std::size_t i = 0; i < 4; ++i) {

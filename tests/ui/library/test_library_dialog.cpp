@@ -11,7 +11,7 @@
 #include <QtTest>
 #include <fstream>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "sim/library/component_file.h"
 #include "ui/forms/experiment_panel.h"
 #include "ui/forms/parameter_form.h"

@@ -14,8 +14,9 @@
 #include <cmath>
 #include <numbers>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "sim/library/component_library.h"
+#include "sim/run/drive_build.h"
 #include "ui/library/library_dialog.h"
 #include "ui/measurement/fit_dialog.h"
 

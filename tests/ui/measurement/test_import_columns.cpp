@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "sim/library/component_library.h"
-#include "sim/propulsion/measured_propeller.h"
+#include "sim/propulsion/rotor/measured_propeller.h"
 #include "tests/ui/measurement/import_fixture.h"
 #include "ui/library/component_info_dialog.h"
 #include "ui/library/library_dialog.h"

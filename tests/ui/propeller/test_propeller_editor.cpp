@@ -6,8 +6,8 @@
 #include <QToolButton>
 #include <QtTest>
 
-#include "sim/experiment/experiment.h"
-#include "sim/propulsion/advance_sweep.h"
+#include "sim/document/experiment.h"
+#include "sim/propulsion/rotor/advance_sweep.h"
 #include "ui/propeller/blade_curves.h"
 #include "ui/propeller/propeller_editor.h"
 #include "ui/propeller/propeller_figures.h"

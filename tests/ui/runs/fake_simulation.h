@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "sim/experiment/simulation.h"
+#include "sim/run/simulation.h"
 
 namespace rotorbench {
 

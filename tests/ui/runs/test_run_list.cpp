@@ -10,6 +10,7 @@
 #include <QToolBar>
 #include <QtTest>
 
+#include "sim/run/simulation.h"
 #include "tests/ui/runs/fake_simulation.h"
 #include "ui/runs/metrics_panel.h"
 #include "ui/runs/run_controller.h"

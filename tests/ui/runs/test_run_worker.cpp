@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "sim/run/simulation.h"
 #include "tests/ui/runs/fake_simulation.h"
 #include "ui/runs/run_worker.h"
 

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "sim/core/recording.h"
-#include "sim/experiment/scene_model.h"
+#include "sim/scene/scene_model.h"
 
 namespace rotorbench {
 

@@ -3,7 +3,7 @@
 #include <QTest>
 #include <limits>
 
-#include "sim/experiment/propeller_scene.h"
+#include "sim/scene/propeller_scene.h"
 #include "tests/ui/scene/scene_fixture.h"
 
 using namespace rotorbench;

@@ -9,7 +9,7 @@
 #include <QDialog>
 #include <QSurfaceFormat>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "tests/ui/shell/shell_fixture.h"
 
 using namespace rotorbench;

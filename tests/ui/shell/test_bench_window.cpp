@@ -4,7 +4,7 @@
 #include <QTreeWidget>
 #include <QTreeWidgetItemIterator>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_legend.h"
 #include "ui/charts/chart_pane.h"

@@ -13,7 +13,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "sim/experiment/experiment_file.h"
+#include "sim/document/experiment_file.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/shell/autosave.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 #include <set>
 
-#include "sim/experiment/resources.h"
+#include "sim/document/resources.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/forms/help_table.h"
 #include "ui/forms/parameter_form.h"

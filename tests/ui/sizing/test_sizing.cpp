@@ -8,7 +8,7 @@
 #include <QUndoStack>
 #include <cmath>
 
-#include "sim/experiment/experiment.h"
+#include "sim/document/experiment.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/parameter_form.h"
