@@ -87,6 +87,22 @@ class TestController final : public Controller {
   Allocation allocation_;
 };
 
+/// Sensors with noise on what the speed controllers see, drawn from the run's seed.
+class NoisySensors final : public Task {
+ public:
+  explicit NoisySensors(std::uint64_t seed) : Task("sensors", {}), noise_(seed, "rotor speed") {}
+  [[nodiscard]] SignalUse uses() const override {
+    return {.reads = Signal::Truth, .writes = Signal::Measurement, .readsEarlier = {}};
+  }
+  void act(const ClockTick& /*tick*/, Board& board, double* /*row*/) override {
+    board.measurement.drives = board.truth.drives;
+    for (int i = 0; i < board.rotors; ++i) board.measurement.drives.speed[i] += noise_.normal();
+  }
+
+ private:
+  RandomStream noise_;
+};
+
 std::string bytesOf(const Recording& recording) {
   std::string bytes;
   for (std::size_t c = 0; c < recording.channels().size(); ++c) {
@@ -252,6 +268,33 @@ class TestScheduler : public QObject {
     const MetricTable table = simulation.metrics();
     QVERIFY(figure(table, "Flight", "altitude_settling_time") > 1);
     QVERIFY(std::isnan(figure(table, "Flight", "roll_overshoot")));
+  }
+
+  /// Another seed is another flight, the same seed the same bytes.
+  void seedDecidesTheNoise() {
+    Experiment e = shipped("f450-hover-and-steps");
+    auto& flight = std::get<Flight>(e.setup);
+    flight.duration = 0.5;
+    const auto fly = [&](std::uint64_t seed) {
+      e.seed = seed;
+      const std::filesystem::path directory;
+      const BuildContext context = contextOf(e, directory);
+      const auto& pid = std::get<PidControl>(flight.control);
+      FlightParts parts = controlledFlight(
+          flight, pid.controller.motors, pid, context, [&](const ControlModel& model) {
+            return std::make_unique<PidFlight>(pid.controller, model, Timing{2});
+          });
+      std::ranges::find(parts.tasks, "sensors", [](const auto& t) {
+        return t->name();
+      })->reset(new NoisySensors(context.seed));
+      FlightSimulation simulation(flight, e.outputs, std::move(parts));
+      while (simulation.advance(500) == SimulationState::Running) {
+      }
+      return bytesOf(*simulation.runs().front().recording);
+    };
+    const std::string first = fly(1);
+    QVERIFY(first == fly(1));
+    QVERIFY(first != fly(2));
   }
 
   /// Rates that do not fit, inputs without a file, vehicles that cannot be: named where they stand.
