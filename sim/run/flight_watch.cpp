@@ -3,42 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace rotorbench {
-
-namespace {
-
-/// The shortest way between two angles.
-double shortWay(double angle) {
-  return std::remainder(angle, 2 * std::numbers::pi);
-}
-
-}  // namespace
 
 FlightWatch::FlightWatch(std::vector<HeldQuantity> held)
     : belowGround_(std::numeric_limits<double>::quiet_NaN()), overturned_(belowGround_) {
   for (HeldQuantity& quantity : held) held_.push_back({.quantity = std::move(quantity)});
-}
-
-void FlightWatch::follow(Held& h, double wanted, double value) {
-  if (!h.started) {
-    h.error = h.quantity.turns ? shortWay(wanted - value) : wanted - value;
-    h.nearest = std::abs(h.error);
-    h.started = true;
-  } else if (h.quantity.turns) {
-    const double moved = shortWay(wanted - h.wanted);
-    h.error += moved - shortWay(value - h.value);
-    h.nearest += std::abs(moved);
-  } else {
-    h.error = wanted - value;
-    h.nearest += std::abs(wanted - h.wanted);
-  }
-  h.wanted = wanted;
-  h.value = value;
-  const double distance = std::abs(h.error);
-  h.nearest = std::min(h.nearest, distance);
-  if (distance <= h.nearest + h.quantity.limit) h.near = time_;
 }
 
 std::vector<Verdict> FlightWatch::verdicts() const {

@@ -3,6 +3,9 @@
 // the ground, and a vehicle may recover; but its figures must not be read as if nothing had been.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "sim/control/controller.h"
@@ -47,7 +50,25 @@ class FlightWatch {
     double nearest = 0;            ///< least distance since, and what the set-point moved after it
     double near = 0;               ///< s, last time at which it was not farther than allowed
   };
-  void follow(Held& held, double wanted, double value);
+  /// The shortest way between two angles; mostly they are near each other.
+  static double shortWay(double angle) {
+    return std::abs(angle) <= std::numbers::pi ? angle
+                                               : std::remainder(angle, 2 * std::numbers::pi);
+  }
+  void follow(Held& h, double wanted, double value) {
+    const double moved = h.quantity.turns ? shortWay(wanted - h.wanted) : wanted - h.wanted;
+    if (!h.started || !h.quantity.turns) {
+      h.error = h.quantity.turns ? shortWay(wanted - value) : wanted - value;
+    } else {
+      h.error += moved - shortWay(value - h.value);
+    }
+    const double distance = std::abs(h.error);
+    h.nearest = h.started ? std::min(h.nearest + std::abs(moved), distance) : distance;
+    h.started = true;
+    h.wanted = wanted;
+    h.value = value;
+    if (distance <= h.nearest + h.quantity.limit) h.near = time_;
+  }
 
   std::vector<Held> held_;
   double time_ = 0;
