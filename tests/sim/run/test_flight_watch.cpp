@@ -188,7 +188,8 @@ class TestFlightWatch : public QObject {
     QElapsedTimer timer;
     timer.start();
     preflight(e);
-    QVERIFY2(timer.elapsed() < 1500, qPrintable(QString::number(timer.elapsed())));
+    // The map itself takes some ten times as long, and this test runs with sanitizers too.
+    QVERIFY2(timer.elapsed() < 4000, qPrintable(QString::number(timer.elapsed())));
   }
 };
 
