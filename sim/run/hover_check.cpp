@@ -19,20 +19,9 @@ std::string three(double value) {
   return shortNumber(value, 3);
 }
 
-/// A map answers as the blade elements it is made of, to 0.2 %, but takes seconds to be made.
 void useBladeElements(RotorAerodynamics& aerodynamics) {
   if (const auto* map = std::get_if<MapPropeller>(&aerodynamics))
     aerodynamics = BladeElementPropeller{map->propeller, map->settings};
-}
-
-Constants withoutMaps(VehicleParameters vehicle, const EnvironmentParameters& environment) {
-  if (auto* equal = std::get_if<EqualRotors>(&vehicle.rotors)) {
-    useBladeElements(equal->rotor.aerodynamics);
-  } else {
-    for (auto& rotor : std::get<IndividualRotors>(vehicle.rotors).rotors)
-      useBladeElements(rotor.aerodynamics);
-  }
-  return buildMultirotor<kRotors>(vehicle, environment);
 }
 
 /// The first thing that is missing for a hover at these rotor speeds, or nothing.
@@ -100,13 +89,23 @@ double fullThrottleLift(const Constants& c) {
 
 }  // namespace
 
+VehicleParameters withoutMaps(VehicleParameters vehicle) {
+  if (auto* equal = std::get_if<EqualRotors>(&vehicle.rotors)) {
+    useBladeElements(equal->rotor.aerodynamics);
+  } else {
+    for (auto& rotor : std::get<IndividualRotors>(vehicle.rotors).rotors)
+      useBladeElements(rotor.aerodynamics);
+  }
+  return vehicle;
+}
+
 void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
   if (std::holds_alternative<SpeedInputs>(flight.control)) return;
   const bool flown = std::holds_alternative<PidControl>(flight.control);
   const bool starts = flight.start.rotors == RotorStart::Hover;
   if (!flown && !starts) return;
   try {
-    const Constants c = withoutMaps(flight.vehicle, flight.environment);
+    const Constants c = buildMultirotor<kRotors>(withoutMaps(flight.vehicle), flight.environment);
     const std::string missing = missingFor(c, Plant(c).hoverSpeeds());
     if (missing.empty()) return;
     if (flown) {

@@ -14,4 +14,8 @@ namespace rotorbench {
 /// has no errors.
 void warnOfHover(const Flight& flight, std::vector<Problem>& problems);
 
+/// The vehicle with blade elements where it has a map of them: the same to 0.2 %, but ready at
+/// once, for whoever only wants to look at it.
+VehicleParameters withoutMaps(VehicleParameters vehicle);
+
 }  // namespace rotorbench

@@ -122,7 +122,8 @@ void ChartGrid::resetView() {
     setCurrentPane(panes_.front());
   };
   toFirst();
-  // And once more when the page is there: the keyboard then comes to whichever chart Qt finds first.
+  // And once more when the page is there: the keyboard then comes to whichever chart Qt finds
+  // first.
   QMetaObject::invokeMethod(this, toFirst, Qt::QueuedConnection);
 }
 

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/run/hover_check.h"
 #include "sim/run/simulation.h"
 
 namespace rotorbench {
@@ -13,9 +14,12 @@ namespace {
 // Several changes in a row are one build.
 constexpr int kSettleMilliseconds = 200;
 
-std::optional<std::vector<Channel>> channelsOf(const Experiment& experiment,
+std::optional<std::vector<Channel>> channelsOf(Experiment experiment,
                                                const std::filesystem::path& directory) {
   try {
+    // A map takes seconds to be made and has no channels of its own.
+    if (auto* flight = std::get_if<Flight>(&experiment.setup))
+      flight->vehicle = withoutMaps(std::move(flight->vehicle));
     const auto simulation = buildSimulation(experiment, directory);
     std::vector<Channel> all;
     std::set<std::string> seen;
