@@ -101,7 +101,8 @@ VehicleParameters withoutMaps(VehicleParameters vehicle) {
 
 void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
   if (std::holds_alternative<SpeedInputs>(flight.control)) return;
-  const bool flown = std::holds_alternative<PidControl>(flight.control);
+  // Whatever is not laid down in advance is a controller, which is to hold the vehicle.
+  const bool flown = !std::holds_alternative<VoltageInputs>(flight.control);
   const bool starts = flight.start.rotors == RotorStart::Hover;
   if (!flown && !starts) return;
   try {
