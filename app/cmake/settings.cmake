@@ -9,6 +9,9 @@ target_compile_options(rotorbench_settings INTERFACE
   -ffp-contract=off)
 set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+# A program holds the functions it calls, not all of the objects these stand in.
+add_compile_options(-ffunction-sections -fdata-sections)
+add_link_options(-Wl,--gc-sections)
 if(ROTORBENCH_SANITIZE)
   add_compile_options(-fsanitize=${ROTORBENCH_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   add_link_options(-fsanitize=${ROTORBENCH_SANITIZE})
@@ -33,3 +36,9 @@ find_program(MOLD_PROGRAM mold)
 if(MOLD_PROGRAM)
   add_link_options(-fuse-ld=mold)
 endif()
+
+# Sources that stay alone in a unity build. What runs in every tick of a flight or a comparison: beside others its loops
+# are inlined otherwise. And what knows which controllers there are: tests/recipe puts its own in their place.
+function(rotorbench_single_sources)
+  set_source_files_properties(${ARGN} TARGET_DIRECTORY rotorbench_sim PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
