@@ -6,6 +6,7 @@
 #include "app/rotorbench-cli/edits.h"
 #include "sim/core/schema_tree.h"
 #include "sim/document/experiment.h"
+#include "sim/document/flight.h"
 #include "sim/io/file.h"
 #include "sim/io/json_document.h"
 #include "sim/sizing/apply_data_sheet.h"
@@ -37,7 +38,7 @@ void print(const std::string& title, const FigureSheet& sheet, bool json) {
 
 void performance(const SizingOptions& options) {
   const Experiment experiment = loadEdited(options.file, options.edits);
-  const auto* flight = std::get_if<Flight>(&experiment.setup);
+  const auto* flight = alternativeIf<Flight>(experiment.setup);
   if (flight == nullptr) {
     throw InputError(options.file, {{"setup", "has no vehicle", "an experiment that flies one"}});
   }

@@ -1,6 +1,7 @@
 // What a flight controller is to the rest of the house: a task that reads the estimate and the
 // set-point and asks rotor speeds of the speed controllers. A new one takes its own file, one
-// alternative of Flight::control and one line in the factory (sim/run/flight_tasks.cpp).
+// alternative of ControllerParameters (sim/document/controlled_inputs.h) and one line in the
+// factory (sim/run/controller_factory.cpp).
 #pragma once
 
 #include <string>
@@ -18,8 +19,9 @@ struct HeldQuantity {
   std::string setPoint;  ///< its set-point's channel: "setpoint.z"
   double limit = 0;      ///< how far it may move away from its set-point, in its unit
   bool turns = false;    ///< an angle given in (-pi, pi]: whole turns count
-  double (*wanted)(const SetPoint&) = nullptr;
-  double (*value)(const Truth&) = nullptr;
+  /// Where both stand among the signals.
+  const double& (*wanted)(const SetPoint&) = nullptr;
+  const double& (*value)(const Truth&) = nullptr;
 };
 
 class Controller : public Task {

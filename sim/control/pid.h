@@ -7,83 +7,87 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 
+#include "sim/control/lanes.h"
+#include "sim/control/pid_parameters.h"
 #include "sim/core/place.h"
-#include "sim/core/schema.h"
 
 namespace rotorbench {
 
-/// What a PID acts on: decides units and nothing else.
-enum class PidUse { Height, Angle, RotorSpeed };
-
-template <PidUse Use>
-struct PidParameters {
-  double kp = 0;              ///< 1/s^2 (rotor speed: 1/s)
-  double ki = 0;              ///< 1/s^3 (rotor speed: 1/s^2)
-  double kd = 0;              ///< 1/s (rotor speed: 1)
-  double setPointWeight = 1;  ///< b, 0..1: part of the set-point the proportional term sees
-  double filterTime = 0.01;   ///< T_f of the derivative, s
-  double trackingTime = 0.5;  ///< T_t of the back-calculation, s
-  double limit = 10;          ///< largest demand, m/s^2 or rad/s^2
-  bool operator==(const PidParameters&) const = default;
+/// What the settings amount to at one interval between updates.
+template <class Real>
+struct PidGains {
+  Real kp{}, ki{}, weight{}, filter{}, slope{}, tracking{}, limit{};
 };
 
-class Pid {
+template <PidUse Use>
+PidGains<double> pidGains(const PidParameters<Use>& p, double interval) {
+  PidGains<double> g;
+  g.kp = p.kp;
+  g.ki = p.ki * interval;
+  g.weight = p.setPointWeight;
+  g.filter = p.filterTime / (p.filterTime + interval);
+  g.slope = p.kd / (p.filterTime + interval);
+  // Without an integral there is nothing to bleed.
+  g.tracking = g.ki != 0 ? std::min(1.0, interval / p.trackingTime) : 0;
+  g.limit = p.limit;
+  return g;
+}
+
+/// The gains of several controllers, one lane each.
+template <int N>
+PidGains<Lanes<N>> besides(const std::array<PidGains<double>, N>& each) {
+  PidGains<Lanes<N>> g;
+  for (int i = 0; i < N; ++i) {
+    const PidGains<double>& one = each[static_cast<std::size_t>(i)];
+    g.kp[i] = one.kp, g.ki[i] = one.ki, g.weight[i] = one.weight, g.filter[i] = one.filter;
+    g.slope[i] = one.slope, g.tracking[i] = one.tracking, g.limit[i] = one.limit;
+  }
+  return g;
+}
+
+template <class Real>
+class BasicPid {
  public:
+  explicit BasicPid(const PidGains<Real>& gains) : g_(gains) {}
   template <PidUse Use>
-  Pid(const PidParameters<Use>& p, double interval)
-      : kp_(p.kp),
-        ki_(p.ki * interval),
-        weight_(p.setPointWeight),
-        filter_(p.filterTime / (p.filterTime + interval)),
-        slope_(p.kd / (p.filterTime + interval)),
-        tracking_(std::min(1.0, interval / p.trackingTime)),
-        limit_(p.limit) {}
+  BasicPid(const PidParameters<Use>& p, double interval) : g_(pidGains(p, interval)) {}
 
   /// The demand for this instant, within the limit; follow with accept(). The first call starts
   /// from rest: a set-point equal to the first measurement asks for nothing.
-  double propose(double setPoint, double measurement) {
+  Real propose(const Real& setPoint, const Real& measurement) {
     if (!started_) {
       started_ = true;
       origin_ = previous_ = measurement;
     }
-    derivative_ = filter_ * derivative_ - slope_ * (measurement - previous_);
+    derivative_ = g_.filter * derivative_ - g_.slope * (measurement - previous_);
     previous_ = measurement;
     error_ = setPoint - measurement;
-    const double proportional = kp_ * (weight_ * (setPoint - origin_) - (measurement - origin_));
-    raw_ = proportional + integral_ + derivative_;
-    return std::clamp(raw_, -limit_, limit_);
+    raw_ = g_.kp * (g_.weight * (setPoint - origin_) - (measurement - origin_)) + integral_ +
+           derivative_;
+    return clamped(raw_, Real(-g_.limit), g_.limit);
   }
 
   /// Ends the instant with the demand that could be carried out; what is missing bleeds the
   /// integral.
-  void accept(double carriedOut) {
-    if (ki_ != 0) integral_ += ki_ * error_ + tracking_ * (carriedOut - raw_);
+  void accept(const Real& carriedOut) {
+    integral_ += g_.ki * error_ + g_.tracking * (carriedOut - raw_);
   }
 
-  [[nodiscard]] double integral() const { return integral_; }
+  [[nodiscard]] const Real& integral() const { return integral_; }
 
  private:
-  double kp_, ki_, weight_, filter_, slope_, tracking_, limit_;
-  double integral_ = 0, derivative_ = 0, previous_ = 0, origin_ = 0, error_ = 0, raw_ = 0;
+  PidGains<Real> g_;
+  Real integral_ = allLanes<Real>(0), derivative_ = allLanes<Real>(0);
+  Real previous_{}, origin_{}, error_{}, raw_{};
   bool started_ = false;
 };
+
+using Pid = BasicPid<double>;
 
 /// Ticks between two updates at `rate` Hz, which is described at `place`. Throws InputError unless
 /// it is a whole number of at least one.
 int ticksBetween(double rate, double tick, const Place& place);
-
-template <>
-struct Describe<PidParameters<PidUse::Height>> {
-  static void fields(schema::Builder<PidParameters<PidUse::Height>>& b);
-};
-template <>
-struct Describe<PidParameters<PidUse::Angle>> {
-  static void fields(schema::Builder<PidParameters<PidUse::Angle>>& b);
-};
-template <>
-struct Describe<PidParameters<PidUse::RotorSpeed>> {
-  static void fields(schema::Builder<PidParameters<PidUse::RotorSpeed>>& b);
-};
 
 }  // namespace rotorbench

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 
@@ -14,7 +15,6 @@ constexpr double kLeastLiftCosine = 0.5;
 }  // namespace
 
 double AngleUnwrapper::operator()(double angle) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   if (started_) angle += kTurn * std::round((last_ - angle) / kTurn);
   startAt(angle);
   return angle;
@@ -25,26 +25,25 @@ PidFlight::PidFlight(const PidFlightParameters& p, const ControlModel& model, Ti
     : Controller("controller", timing),
       model_(model),
       allocation_(model, vehicle),
-      altitude_(p.altitude, 1 / p.rate),
-      roll_(p.roll, 1 / p.rate),
-      pitch_(p.pitch, 1 / p.rate),
-      yaw_(p.yaw, 1 / p.rate) {}
+      pid_(besides<4>({pidGains(p.altitude, 1 / p.rate), pidGains(p.roll, 1 / p.rate),
+                       pidGains(p.pitch, 1 / p.rate), pidGains(p.yaw, 1 / p.rate)})) {}
 
 std::vector<HeldQuantity> PidFlight::held() const {
   // Far outside what a step's overshoot or a gust does to a vehicle that flies.
-  constexpr double kHeight = 1;                    // m
-  constexpr double kAngle = std::numbers::pi / 6;  // rad
-  return {
-      {"altitude", "position.z", "setpoint.z", kHeight, false,
-       [](const SetPoint& s) { return s.height; },
-       [](const Truth& t) { return t.body.position[2]; }},
-      {"roll", "attitude.roll", "setpoint.roll", kAngle, false,
-       [](const SetPoint& s) { return s.roll; }, [](const Truth& t) { return t.body.attitude[0]; }},
-      {"pitch", "attitude.pitch", "setpoint.pitch", kAngle, false,
-       [](const SetPoint& s) { return s.pitch; },
-       [](const Truth& t) { return t.body.attitude[1]; }},
-      {"yaw", "attitude.yaw", "setpoint.yaw", kAngle, true, [](const SetPoint& s) { return s.yaw; },
-       [](const Truth& t) { return t.body.attitude[2]; }}};
+  constexpr double kHeight = 1;       // m
+  constexpr double kAngle = kPi / 6;  // rad
+  return {{"altitude", "position.z", "setpoint.z", kHeight, false,
+           [](const SetPoint& s) -> const double& { return s.height; },
+           [](const Truth& t) -> const double& { return t.body.position[2]; }},
+          {"roll", "attitude.roll", "setpoint.roll", kAngle, false,
+           [](const SetPoint& s) -> const double& { return s.roll; },
+           [](const Truth& t) -> const double& { return t.body.attitude[0]; }},
+          {"pitch", "attitude.pitch", "setpoint.pitch", kAngle, false,
+           [](const SetPoint& s) -> const double& { return s.pitch; },
+           [](const Truth& t) -> const double& { return t.body.attitude[1]; }},
+          {"yaw", "attitude.yaw", "setpoint.yaw", kAngle, true,
+           [](const SetPoint& s) -> const double& { return s.yaw; },
+           [](const Truth& t) -> const double& { return t.body.attitude[2]; }}};
 }
 
 std::vector<Channel> PidFlight::channels() const {
@@ -60,9 +59,9 @@ std::vector<Channel> PidFlight::channels() const {
 
 void PidFlight::act(const ClockTick& /*tick*/, Board& board, double* row) {
   board.demand.speed = update(board.estimate.body, board.setPoint);
-  row = std::copy(wrench_.begin(), wrench_.end(), row);
-  *row++ = limited_ ? 1.0 : 0.0;
-  std::copy_n(speeds_.begin(), model_.rotors, row);
+  Eigen::Map<Wrench>{row} = wrench_;
+  row[4] = limited_ ? 1.0 : 0.0;
+  for (int i = 0; i < model_.rotors; ++i) row[5 + i] = speeds_[i];
 }
 
 const PerRotor& PidFlight::update(const BodyMotion& body, const SetPoint& setPoint) {
@@ -70,46 +69,22 @@ const PerRotor& PidFlight::update(const BodyMotion& body, const SetPoint& setPoi
       std::max(kLeastLiftCosine, std::cos(body.attitude[0]) * std::cos(body.attitude[1]));
   const double yaw = measuredYaw_(body.attitude[2]);
   if (!wantedYaw_.started()) wantedYaw_.startAt(yaw);
-  const double climb = altitude_.propose(setPoint.height, body.position[2]);
-  const Eigen::Vector3d turn(roll_.propose(setPoint.roll, body.attitude[0]),
-                             pitch_.propose(setPoint.pitch, body.attitude[1]),
-                             yaw_.propose(wantedYaw_(setPoint.yaw), yaw));
-  wrench_ << model_.mass * (model_.gravity + climb) / lift, model_.inertia * turn;
+  const Lanes<4> wanted(setPoint.height, setPoint.roll, setPoint.pitch, wantedYaw_(setPoint.yaw));
+  const Lanes<4> measured(body.position[2], body.attitude[0], body.attitude[1], yaw);
+  Lanes<4> demand = pid_.propose(wanted, measured);
+  const Eigen::Vector3d turn = demand.tail<3>().matrix();
+  wrench_ << model_.mass * (model_.gravity + demand[0]) / lift, model_.inertia * turn;
 
   const auto result = allocation_.allocate(wrench_);
   limited_ = result.limited;
-  Eigen::Vector3d turned = turn;
-  double climbed = climb;
   if (limited_) {
-    turned = model_.inverseInertia * result.achieved.tail<3>();
-    climbed = result.achieved[0] * lift / model_.mass - model_.gravity;
+    demand[0] = result.achieved[0] * lift / model_.mass - model_.gravity;
+    demand.tail<3>().matrix() = model_.inverseInertia * result.achieved.tail<3>();
   }
-  altitude_.accept(climbed);
-  roll_.accept(turned[0]);
-  pitch_.accept(turned[1]);
-  yaw_.accept(turned[2]);
+  pid_.accept(demand);
   for (int i = 0; i < model_.rotors; ++i)
     speeds_[i] = std::sqrt(result.thrust[i] / model_.thrustFactor[static_cast<std::size_t>(i)]);
   return speeds_;
-}
-
-void Describe<PidFlightParameters>::fields(schema::Builder<PidFlightParameters>& b) {
-  using P = PidFlightParameters;
-  b.title(
-      "pid", "PID (controller 1)",
-      "Holds altitude, roll, pitch and yaw with one PID each; rotor speeds follow by motor speed "
-      "controllers. Sideways drift is not controlled.",
-      "Thesis 2014, figures 4.2-4.3");
-  b.number("rate", &P::rate, "Rate", "", "Hz")
-      .range(schema::above(0), schema::upTo(1e5))
-      .help(
-          "Updates per second of altitude and attitude; must divide the tick rate of the "
-          "simulation.");
-  b.group("altitude", &P::altitude, "Altitude");
-  b.group("roll", &P::roll, "Roll");
-  b.group("pitch", &P::pitch, "Pitch");
-  b.group("yaw", &P::yaw, "Yaw");
-  b.group("motors", &P::motors, "Motors");
 }
 
 }  // namespace rotorbench

@@ -2,7 +2,7 @@
 // flight controller asks for.
 #pragma once
 
-#include <vector>
+#include <variant>
 
 #include "sim/control/control_model.h"
 #include "sim/control/motor_speed.h"
@@ -23,10 +23,12 @@ class SpeedControllers final : public Task {
   void act(const ClockTick& tick, Board& board, double* row) override;
 
   /// Duty of each motor, -1..1 where its speed controller is reversible, else 0..1.
-  PerRotor update(const RotorDemand& demand, const DriveReadings& drives);
+  void update(const RotorDemand& demand, const DriveReadings& drives, PerRotor& duties);
 
  private:
-  std::vector<MotorSpeedController> motors_;
+  template <int N>
+  using Bank = BasicMotorSpeedController<Lanes<N>>;
+  std::variant<Bank<4>, Bank<6>, Bank<8>> motors_;
 };
 
 }  // namespace rotorbench

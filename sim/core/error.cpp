@@ -28,4 +28,8 @@ InputError::InputError(std::string source, std::vector<Problem> problems)
       source_(std::move(source)),
       problems_(std::move(problems)) {}
 
+void refuse(std::string source, std::string what, std::string allowed) {
+  throw InputError(std::move(source), {{{}, std::move(what), std::move(allowed)}});
+}
+
 }  // namespace rotorbench

@@ -36,6 +36,9 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
+/// Throws an InputError of one problem that concerns all of `source`.
+[[noreturn]] void refuse(std::string source, std::string what, std::string allowed = {});
+
 /// Why a run stopped early: the simulated time in s, the state component or part that failed, and a
 /// sentence for the user.
 struct RunFailure {

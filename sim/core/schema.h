@@ -69,7 +69,11 @@ struct Option {
   std::string key;
   std::string label;
   std::string help;
+  std::vector<std::string> formerKeys{};  ///< read, never written
 };
+
+/// The index of the option named `key`, now or formerly; nothing if there is none.
+std::optional<std::size_t> optionNamed(const std::vector<Option>& options, std::string_view key);
 
 class Type;
 
@@ -114,7 +118,7 @@ struct Field {
   std::function<void(void* owner, std::size_t index)>
       insert;  ///< List: default-made element before index
 
-  [[nodiscard]] const void* child_(const void* owner, std::size_t index) const {
+  [[nodiscard]] const void* constChild(const void* owner, std::size_t index) const {
     return child(const_cast<void*>(owner), index);
   }
   [[nodiscard]] bool isLeaf() const { return kind < Kind::Group; }
@@ -124,6 +128,12 @@ struct Field {
 class Type {
  public:
   std::string key, label, help, source;
+  std::vector<std::string> formerKeys;  ///< of the key
+  /// Where older files have a member of this struct: the path below the struct, and its key.
+  struct Moved {
+    std::string from, key;
+  };
+  std::vector<Moved> moved;
   std::vector<Field> fields;
   /// A rule over several members of this struct; the path of a problem is relative to the struct.
   std::vector<std::function<void(const void* object, std::vector<Problem>&)>> checks;

@@ -9,6 +9,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "sim/core/box.h"
 #include "sim/core/schema.h"
 
 namespace rotorbench::schema {
@@ -29,11 +30,9 @@ ConstRef ref(const T& object) {
 class FieldBuilder {
  public:
   explicit FieldBuilder(Field& field) : field_(&field) {}
-  FieldBuilder& range(Bound low, Bound high) { return low_(low).high_(high); }
-  FieldBuilder& low_(Bound b) { return field_->range.low = b, *this; }
-  FieldBuilder& high_(Bound b) { return field_->range.high = b, *this; }
-  FieldBuilder& positive() { return low_(above(0)); }
-  FieldBuilder& notNegative() { return low_(atLeast(0)); }
+  FieldBuilder& range(Bound low, Bound high) { return field_->range = {low, high}, *this; }
+  FieldBuilder& positive() { return field_->range.low = above(0), *this; }
+  FieldBuilder& notNegative() { return field_->range.low = atLeast(0), *this; }
   /// The unit a form shows first; must convert to the stored SI unit.
   FieldBuilder& shownIn(std::string unit) { return field_->displayUnit = std::move(unit), *this; }
   FieldBuilder& help(std::string text) { return field_->help = std::move(text), *this; }
@@ -72,6 +71,13 @@ class Builder {
     type_.label = std::move(label);
     type_.help = std::move(help);
     type_.source = std::move(source);
+  }
+
+  /// What files called this struct, as an alternative of a variant, before it had its key.
+  void formerly(std::string key) { type_.formerKeys.push_back(std::move(key)); }
+  /// Files used to have the member `key` at the path `from`, seen from this struct.
+  void moved(std::string from, std::string key) {
+    type_.moved.push_back({std::move(from), std::move(key)});
   }
 
   /// `unit` is the SI unit of the stored number.
@@ -166,14 +172,17 @@ class Builder {
     return FieldBuilder(f);
   }
 
-  /// Exactly one of several described structs; their title() keys name them.
+  /// Exactly one of several described structs, boxed or not; their title() keys name them.
   template <class... A>
   FieldBuilder variant(std::string key, std::variant<A...> T::*member, std::string label) {
     using V = std::variant<A...>;
     Field& f = add(Kind::Variant, std::move(key), std::move(label), {});
-    static constexpr std::array<const Type& (*)(), sizeof...(A)> kTypes{&typeOf<A>...};
+    static constexpr std::array<const Type& (*)(), sizeof...(A)> kTypes{
+        &typeOf<typename Unboxed<A>::Type>...};
     static constexpr std::array<void (*)(V&), sizeof...(A)> kMake{+[](V& v) { v = A{}; }...};
-    for (const auto& t : kTypes) f.options.push_back({t().key, t().label, t().help});
+    for (const auto& t : kTypes) {
+      f.options.push_back({t().key, t().label, t().help, t().formerKeys});
+    }
     f.chosen = [member](const void* o) { return (self(o).*member).index(); };
     f.choose = [member](void* o, std::size_t i) {
       if ((self(o).*member).index() != i) kMake.at(i)(self(o).*member);
@@ -183,7 +192,7 @@ class Builder {
       return kTypes.at((self(o).*member).index())();
     };
     f.child = [member](void* o, std::size_t) -> void* {
-      return std::visit([](auto& a) -> void* { return &a; }, self(o).*member);
+      return std::visit([](auto& a) -> void* { return &unboxed(a); }, self(o).*member);
     };
     return FieldBuilder(f);
   }

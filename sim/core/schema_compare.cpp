@@ -16,11 +16,11 @@ void walkFrom(ConstRef node, const std::string& parent, const Visitor& visit) {
     if (field.isLeaf()) continue;
     if (field.kind == Kind::List) {
       for (std::size_t i = 0; i < field.count(node.object); ++i) {
-        walkFrom({&field.childType(node.object, i), field.child_(node.object, i)},
+        walkFrom({&field.childType(node.object, i), field.constChild(node.object, i)},
                  path + "[" + std::to_string(i) + "]", visit);
       }
     } else {
-      walkFrom({&field.childType(node.object, 0), field.child_(node.object, 0)}, path, visit);
+      walkFrom({&field.childType(node.object, 0), field.constChild(node.object, 0)}, path, visit);
     }
   }
 }
@@ -39,7 +39,7 @@ class Comparison {
 
  private:
   static ConstRef child(const Field& field, const void* owner, std::size_t index) {
-    return {&field.childType(owner, index), field.child_(owner, index)};
+    return {&field.childType(owner, index), field.constChild(owner, index)};
   }
 
   void compareField(const Field& field, const void* left, const void* right,
@@ -112,7 +112,7 @@ void copy(ConstRef from, Ref to) {
       field.resize(to.object, count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      copy({&field.childType(from.object, i), field.child_(from.object, i)},
+      copy({&field.childType(from.object, i), field.constChild(from.object, i)},
            {&field.childType(to.object, i), field.child(to.object, i)});
     }
   }

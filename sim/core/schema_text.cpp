@@ -77,9 +77,8 @@ Read readBooleanText(std::string_view text, std::string path) {
 }
 
 Read readChoiceText(const Field& field, std::string_view text, std::string path) {
-  for (const Option& option : field.options) {
-    if (option.key == text) return Value{option.key};
-  }
+  if (const auto option = optionNamed(field.options, text))
+    return Value{field.options[*option].key};
   for (const Option& option : field.options) {
     if (sameWord(option.key, text) || sameWord(option.label, text)) return Value{option.key};
   }

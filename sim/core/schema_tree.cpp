@@ -14,6 +14,14 @@ std::string joinPath(std::string_view path, std::string_view key) {
   return joined.append(key);
 }
 
+std::optional<std::size_t> optionNamed(const std::vector<Option>& options, std::string_view key) {
+  for (std::size_t i = 0; i < options.size(); ++i) {
+    const auto& former = options[i].formerKeys;
+    if (options[i].key == key || std::ranges::find(former, key) != former.end()) return i;
+  }
+  return {};
+}
+
 namespace {
 
 [[noreturn]] void fail(std::string path, std::string what, std::string allowed = {}) {
@@ -155,12 +163,11 @@ void choose(const Location& location, const Value& value) {
   if (key == nullptr)
     fail(location.path, "this is not a name", allowedOptions(location.field->options, {}));
   const auto& options = location.field->options;
-  const auto found = std::find_if(options.begin(), options.end(),
-                                  [&](const Option& option) { return option.key == *key; });
-  if (found == options.end()) {
+  const auto found = optionNamed(options, *key);
+  if (!found) {
     throw InputError({}, {problemWithOption(*location.field, location.path, *key)});
   }
-  location.field->choose(location.owner, static_cast<std::size_t>(found - options.begin()));
+  location.field->choose(location.owner, *found);
 }
 
 /// The whole vector with one component replaced.

@@ -112,11 +112,11 @@ class Validator {
       const std::size_t count = field.count(owner);
       if (auto problem = checkCount(field, count, path)) problems.push_back(std::move(*problem));
       for (std::size_t i = 0; i < count; ++i) {
-        check({&field.childType(owner, i), field.child_(owner, i)},
+        check({&field.childType(owner, i), field.constChild(owner, i)},
               path + "[" + std::to_string(i) + "]");
       }
     } else {
-      check({&field.childType(owner, 0), field.child_(owner, 0)}, path);
+      check({&field.childType(owner, 0), field.constChild(owner, 0)}, path);
     }
   }
 };

@@ -3,21 +3,18 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <unordered_map>
 #include <utility>
 
+#include "sim/core/constants.h"
 #include "sim/core/error.h"
 
 namespace rotorbench {
 
 namespace {
 
-using std::numbers::pi;
-constexpr double kRpm = pi / 30;       // rad/s
 constexpr double kPound = 0.45359237;  // kg, exact (1959)
 constexpr double kGravity = 9.80665;   // m/s^2, standard
-constexpr double kDegree = pi / 180;   // rad
 
 /// Grouped by dimension, the SI unit of each group first.
 constexpr std::array kUnits{
@@ -47,11 +44,11 @@ constexpr std::array kUnits{
     Unit{"kHz", "Hz", 1000},
     Unit{"rad", "rad", 1},
     Unit{"deg", "rad", kDegree},
-    Unit{"rev", "rad", 2 * pi},
+    Unit{"rev", "rad", 2 * kPi},
     Unit{"rad/s", "rad/s", 1},
     Unit{"rpm", "rad/s", kRpm},
     Unit{"deg/s", "rad/s", kDegree},
-    Unit{"rev/s", "rad/s", 2 * pi},
+    Unit{"rev/s", "rad/s", 2 * kPi},
     Unit{"rad/s^2", "rad/s^2", 1},
     Unit{"rpm/s", "rad/s^2", kRpm},
     Unit{"deg/s^2", "rad/s^2", kDegree},

@@ -1,5 +1,7 @@
 #include "sim/document/birotor_motion.h"
 
+#include "sim/core/box_members.h"
+
 namespace rotorbench {
 
 void Describe<BirotorMotion>::fields(schema::Builder<BirotorMotion>& b) {
@@ -23,5 +25,7 @@ void Describe<BirotorMotion>::fields(schema::Builder<BirotorMotion>& b) {
     }
   });
 }
+
+template class Box<BirotorMotion>;
 
 }  // namespace rotorbench

@@ -1,5 +1,8 @@
 #include "sim/document/default_charts.h"
 
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/kinds.h"
+
 #include "sim/document/experiment.h"
 
 namespace rotorbench {
@@ -73,7 +76,7 @@ struct ChartsOf {
 }  // namespace
 
 std::vector<ChartSpec> defaultCharts(const Experiment& experiment) {
-  return std::visit(ChartsOf{}, experiment.setup);
+  return visitAlternative(ChartsOf{}, experiment.setup);
 }
 
 std::vector<ChartSpec> chartsOf(const Experiment& experiment) {

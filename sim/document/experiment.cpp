@@ -1,5 +1,7 @@
 #include "sim/document/experiment.h"
 
+#include "sim/document/kinds.h"
+
 namespace rotorbench {
 
 using schema::above;

@@ -1,6 +1,7 @@
 // The whole question a user asks, as one plain value: what is saved is what is run. Undo keeps old
 // values of it, a recording carries the one it was made from. Kinds of experiment are the
-// alternatives of `setup`; each has its own header with its parameters and its own builder.
+// alternatives of `setup`; each has its own header with its parameters, which whoever reads them
+// includes, and its own builder.
 #pragma once
 
 #include <cstdint>
@@ -8,17 +9,26 @@
 #include <variant>
 #include <vector>
 
+#include "sim/core/box.h"
 #include "sim/core/schema.h"
-#include "sim/document/birotor_motion.h"
 #include "sim/document/chart_spec.h"
-#include "sim/document/flight.h"
-#include "sim/document/motor_bench.h"
-#include "sim/document/motor_speed_run.h"
-#include "sim/document/propeller_bench.h"
-#include "sim/document/solver_comparison.h"
-#include "sim/document/thrust_stand.h"
 
 namespace rotorbench {
+
+struct Flight;
+extern template class Box<Flight>;
+struct MotorBench;
+extern template class Box<MotorBench>;
+struct PropellerBench;
+extern template class Box<PropellerBench>;
+struct ThrustStand;
+extern template class Box<ThrustStand>;
+struct MotorSpeedRun;
+extern template class Box<MotorSpeedRun>;
+struct SolverComparison;
+extern template class Box<SolverComparison>;
+struct BirotorMotion;
+extern template class Box<BirotorMotion>;
 
 /// What is kept of a run and how much memory it may take.
 struct OutputSettings {
@@ -33,8 +43,8 @@ struct Experiment {
   std::string title = "New experiment";
   std::string summary;  ///< one line, shown on the gallery card
   std::string notes;    ///< as long as the user likes
-  std::variant<Flight, MotorBench, PropellerBench, ThrustStand, MotorSpeedRun, SolverComparison,
-               BirotorMotion>
+  std::variant<Box<Flight>, Box<MotorBench>, Box<PropellerBench>, Box<ThrustStand>,
+               Box<MotorSpeedRun>, Box<SolverComparison>, Box<BirotorMotion>>
       setup;
   OutputSettings outputs;
   std::uint64_t seed = 1;

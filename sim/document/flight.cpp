@@ -1,5 +1,8 @@
 #include "sim/document/flight.h"
 
+#include "sim/core/box_members.h"
+#include "sim/document/controlled_inputs.h"
+
 namespace rotorbench {
 
 void Describe<Flight>::fields(schema::Builder<Flight>& b) {
@@ -24,5 +27,7 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
   });
 }
+
+template class Box<Flight>;
 
 }  // namespace rotorbench

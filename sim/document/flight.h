@@ -3,8 +3,8 @@
 
 #include <variant>
 
+#include "sim/core/box.h"
 #include "sim/core/schema.h"
-#include "sim/document/pid_control.h"
 #include "sim/document/prescribed_inputs.h"
 #include "sim/environment/environment.h"
 #include "sim/ode/solver_settings.h"
@@ -13,9 +13,12 @@
 
 namespace rotorbench {
 
+struct ControlledInputs;
+extern template class Box<ControlledInputs>;
+
 struct Flight {
   VehicleParameters vehicle;
-  std::variant<PidControl, SpeedInputs, VoltageInputs> control;
+  std::variant<Box<ControlledInputs>, SpeedInputs, VoltageInputs> control;
   SensorModel sensors;
   EnvironmentParameters environment;
   FlightStart start;

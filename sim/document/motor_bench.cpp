@@ -1,5 +1,7 @@
 #include "sim/document/motor_bench.h"
 
+#include "sim/core/box_members.h"
+
 namespace rotorbench {
 
 void Describe<ThrottleStep>::fields(schema::Builder<ThrottleStep>& b) {
@@ -34,5 +36,7 @@ void Describe<MotorBench>::fields(schema::Builder<MotorBench>& b) {
     }
   });
 }
+
+template class Box<MotorBench>;
 
 }  // namespace rotorbench

@@ -2,6 +2,8 @@
 
 #include "sim/document/solver_comparison.h"
 
+#include "sim/core/box_members.h"
+
 namespace rotorbench {
 
 namespace {
@@ -74,5 +76,7 @@ void Describe<SolverComparison>::fields(schema::Builder<SolverComparison>& b) {
       .help("Runs every method again with seven steps or tolerances, to show error against cost.");
   b.check(checkComparison);
 }
+
+template class Box<SolverComparison>;
 
 }  // namespace rotorbench

@@ -2,6 +2,8 @@
 
 #include "sim/document/thrust_stand.h"
 
+#include "sim/core/box_members.h"
+
 namespace rotorbench {
 
 using schema::above;
@@ -89,5 +91,7 @@ double durationOf(const ThrottleProcedure& procedure) {
   if (const auto* sweep = std::get_if<ThrottleSweep>(&procedure)) return sweep->duration;
   return std::get<ThrottleRows>(procedure).duration;
 }
+
+template class Box<ThrustStand>;
 
 }  // namespace rotorbench

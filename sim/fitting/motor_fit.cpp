@@ -16,7 +16,7 @@ namespace {
 constexpr double kTurning = 10;
 constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
 
-struct Row {
+struct DriveRow {
   double throttle = 0, voltage = 0, current = 0, speed = 0;
   double torque = 0;  ///< N m that does not follow from the speed
   double motorCurrent = kNotMeasured;
@@ -104,11 +104,11 @@ std::vector<std::string_view> columnsFor(const MotorFitSetup& setup) {
 }
 
 /// All rows of a turning motor.
-std::vector<Row> turningRows(const MeasuredTable& table, const MotorFitSetup& setup) {
+std::vector<DriveRow> turningRows(const MeasuredTable& table, const MotorFitSetup& setup) {
   constexpr std::string_view kAlso[]{"motor.current"};
-  std::vector<Row> rows;
+  std::vector<DriveRow> rows;
   for (const std::vector<double>& values : finiteRows(table, columnsFor(setup), kAlso)) {
-    Row row{.throttle = 1, .voltage = values[1], .current = values[2], .speed = values[0]};
+    DriveRow row{.throttle = 1, .voltage = values[1], .current = values[2], .speed = values[0]};
     row.motorCurrent = values.back();
     std::size_t next = 3;
     if (setup.duty != DutyFrom::Unknown) row.throttle = values[next++];
@@ -123,16 +123,16 @@ std::vector<Row> turningRows(const MeasuredTable& table, const MotorFitSetup& se
 }
 
 /// Without those at the current limit.
-std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) {
-  std::vector<Row> rows = turningRows(table, setup);
+std::vector<DriveRow> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) {
+  std::vector<DriveRow> rows = turningRows(table, setup);
   if (!(setup.currentLimit > 0)) return rows;
   const double least = setup.nearLimit * setup.currentLimit;
   double throttle = std::numeric_limits<double>::infinity();  // from which the limit acts
-  for (const Row& row : rows) {
+  for (const DriveRow& row : rows) {
     const bool derived = !std::isfinite(row.motorCurrent) && setup.duty != DutyFrom::Unknown;
     if (derived && row.leastMotorCurrent() >= least) throttle = std::min(throttle, row.throttle);
   }
-  std::erase_if(rows, [&](const Row& row) {
+  std::erase_if(rows, [&](const DriveRow& row) {
     return row.leastMotorCurrent() >= least ||
            (!std::isfinite(row.motorCurrent) && row.throttle >= throttle);
   });
@@ -142,7 +142,7 @@ std::vector<Row> rowsOf(const MeasuredTable& table, const MotorFitSetup& setup) 
 /// Speed held at terminal voltage v against torque + k w^2: dV = R i + K w with K i = friction +
 /// torque + k w^2. Friction is a straight line over the speed of a turning motor, so that this is a
 /// quadratic equation.
-double speedOf(const MotorConstants& m, double k, const Row& row) {
+double speedOf(const MotorConstants& m, double k, const DriveRow& row) {
   const double perCurrent = m.resistance / m.torqueConstant;
   const double a = perCurrent * k;
   const double b = m.torqueConstant + perCurrent * m.viscousFriction;
@@ -151,25 +151,25 @@ double speedOf(const MotorConstants& m, double k, const Row& row) {
   return -2 * c / (b + std::sqrt(std::max(b * b - 4 * a * c, 0.0)));
 }
 
-double currentOf(const MotorConstants& m, double k, const Row& row, double speed) {
+double currentOf(const MotorConstants& m, double k, const DriveRow& row, double speed) {
   return (m.dryFriction + m.viscousFriction * speed + row.torque + k * speed * speed) /
          m.torqueConstant;
 }
 
 /// Supply current without a duty: the power of the motor over the voltage.
-double currentByPower(const MotorConstants& m, double k, const Row& row) {
+double currentByPower(const MotorConstants& m, double k, const DriveRow& row) {
   const double i = currentOf(m, k, row, row.speed);
   return (m.resistance * i + m.torqueConstant * row.speed) * i / row.voltage;
 }
 
-enum Output : std::size_t { kSpeed, kCurrent };
+enum DriveOutput : std::size_t { kSpeed, kCurrent };
 
-FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
+FitProblem problemOf(std::vector<DriveRow> rows, const std::vector<Choice>& choices,
                      const Candidate& start) {
   FitProblem problem;
   for (const Choice& choice : choices) problem.parameters.push_back(choice.parameter);
   double mostSpeed = 0, mostCurrent = 0;
-  for (const Row& row : rows) {
+  for (const DriveRow& row : rows) {
     mostSpeed = std::max(mostSpeed, row.speed),
     mostCurrent = std::max(mostCurrent, std::abs(row.current));
     if (row.dutyKnown) problem.points.push_back({kSpeed, row.throttle, row.speed});
@@ -185,7 +185,7 @@ FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
     const Candidate at = apply(choices, p, start);
     const MotorConstants m = buildMotor(at.motor);
     std::size_t i = 0;
-    for (const Row& row : rows) {
+    for (const DriveRow& row : rows) {
       if (!row.dutyKnown) {
         predicted[i++] = currentByPower(m, at.torqueCoefficient, row);
         continue;
@@ -204,7 +204,7 @@ FitProblem problemOf(std::vector<Row> rows, const std::vector<Choice>& choices,
 std::vector<DutyRow> dutyRows(const MeasuredTable& table, MotorFitSetup setup) {
   setup.duty = DutyFrom::Throttle;
   std::vector<DutyRow> rows;
-  for (const Row& row : rowsOf(table, setup))
+  for (const DriveRow& row : rowsOf(table, setup))
     rows.push_back({row.throttle, row.speed, row.voltage});
   return rows;
 }
@@ -226,7 +226,7 @@ std::vector<std::string> missingForMotorFit(const MeasuredTable& table,
   const std::vector<Choice> choices = choicesOf(setup);
   if (choices.empty()) missing.emplace_back("No parameter is chosen to be fitted.");
   if (!missing.empty()) return missing;
-  const std::vector<Row> rows = rowsOf(table, setup);
+  const std::vector<DriveRow> rows = rowsOf(table, setup);
   if (rows.size() < choices.size()) {
     missing.push_back("Only " + std::to_string(rows.size()) +
                       " rows hold all the needed columns and a turning motor" +

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/fitting/measured_rows.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
 constexpr const char* kTwist = "twistOffset";
 constexpr const char* kDrag = "dragFactor";
-constexpr double kMostTwist = 20 * std::numbers::pi / 180;
+constexpr double kMostTwist = 20 * kPi / 180;
 
 /// One measured state; a coefficient that was not measured is NaN.
-struct Row {
+struct StateRow {
   double speed = 0, advance = 0, thrust = 0, power = 0;
 };
 
@@ -24,14 +23,14 @@ double valueOr(const std::vector<double>* column, std::size_t row, double otherw
   return column == nullptr ? otherwise : (*column)[row];
 }
 
-std::vector<Row> rowsOf(const MeasuredTable& table, const PropellerFitSetup& setup) {
+std::vector<StateRow> rowsOf(const MeasuredTable& table, const PropellerFitSetup& setup) {
   const double nan = std::nan(""), diameter = setup.start.diameter;
   const auto *speed = table.find("motor.speed"), *advance = table.find("advance_ratio"),
              *airSpeed = table.find("air_speed"), *ct = table.find("ct"), *cp = table.find("cp"),
              *thrust = table.find("thrust"), *torque = table.find("motor.torque");
-  std::vector<Row> rows;
+  std::vector<StateRow> rows;
   for (std::size_t r = 0; r < table.rows(); ++r) {
-    Row row{.speed = valueOr(speed, r, setup.speed)};
+    StateRow row{.speed = valueOr(speed, r, setup.speed)};
     if (!(row.speed > 0)) continue;
     const double turns = row.speed / kTurn;
     const double force = setup.air.density * turns * turns * std::pow(diameter, 4);
@@ -75,23 +74,23 @@ std::vector<FitParameter> parametersOf(const PropellerFitSetup& setup) {
   return parameters;
 }
 
-double meanSize(const std::vector<Row>& rows, double Row::*member) {
+double meanSize(const std::vector<StateRow>& rows, double StateRow::*member) {
   double sum = 0;
   std::size_t count = 0;
-  for (const Row& row : rows) {
+  for (const StateRow& row : rows) {
     if (std::isfinite(row.*member)) sum += std::abs(row.*member), ++count;
   }
   return sum > 0 ? sum / static_cast<double>(count) : 1;
 }
 
-enum Output : std::size_t { kThrust, kPower };
+enum CoefficientOutput : std::size_t { kThrust, kPower };
 
-void predictRows(const std::vector<Row>& rows, const BladeElementRotor& rotor, const AirState& air,
-                 std::span<double> predicted) {
+void predictRows(const std::vector<StateRow>& rows, const BladeElementRotor& rotor,
+                 const AirState& air, std::span<double> predicted) {
   const double diameter = 2 * rotor.radius();
   InflowMemory memory;
   std::size_t i = 0;
-  for (const Row& row : rows) {
+  for (const StateRow& row : rows) {
     const double turns = row.speed / kTurn;
     const double force = air.density * turns * turns * std::pow(diameter, 4);
     const AxialLoad load = rotor.axial(row.speed, row.advance * turns * diameter, air, &memory);
@@ -127,16 +126,17 @@ std::vector<std::string> missingForPropellerFit(const MeasuredTable& table,
 
 FitProblem propellerFitProblem(const MeasuredTable& table, const PropellerFitSetup& setup) {
   throwIfAny(table, missingForPropellerFit(table, setup));
-  const std::vector<Row> rows = rowsOf(table, setup);
+  const std::vector<StateRow> rows = rowsOf(table, setup);
   FitProblem problem;
   problem.parameters = parametersOf(setup);
-  problem.outputs = {{"Thrust coefficient CT", "1", "1", meanSize(rows, &Row::thrust)},
-                     {"Power coefficient CP", "1", "1", meanSize(rows, &Row::power)}};
-  const bool flown = std::ranges::any_of(rows, [](const Row& row) { return row.advance != 0; });
+  problem.outputs = {{"Thrust coefficient CT", "1", "1", meanSize(rows, &StateRow::thrust)},
+                     {"Power coefficient CP", "1", "1", meanSize(rows, &StateRow::power)}};
+  const bool flown =
+      std::ranges::any_of(rows, [](const StateRow& row) { return row.advance != 0; });
   problem.abscissa = flown ? "Advance ratio J" : "Motor speed";
   problem.abscissaUnit = flown ? "1" : "rad/s";
   problem.abscissaShown = flown ? "1" : "rpm";
-  for (const Row& row : rows) {
+  for (const StateRow& row : rows) {
     const double x = flown ? row.advance : row.speed;
     if (std::isfinite(row.thrust)) problem.points.push_back({kThrust, x, row.thrust});
     if (std::isfinite(row.power)) problem.points.push_back({kPower, x, row.power});

@@ -2,15 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/fitting/measured_rows.h"
 
 namespace rotorbench {
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// One square law of the speed and the column it is fitted to.
 struct Law {

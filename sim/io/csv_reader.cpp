@@ -12,7 +12,7 @@ namespace rotorbench {
 
 namespace {
 
-constexpr std::size_t kMostProblems = 20;
+constexpr std::size_t kMostCellProblems = 20;
 
 class TableReader {
  public:
@@ -24,7 +24,7 @@ class TableReader {
     if (rest_.size() > kMaxCsvBytes) fail({}, "the file is too large", "must be at most 64 MiB");
     if (rest_.starts_with("\xEF\xBB\xBF")) rest_.remove_prefix(3);
     readHeader();
-    while (nextLine() && problems_.size() < kMostProblems) readRow();
+    while (nextLine() && problems_.size() < kMostCellProblems) readRow();
     if (!problems_.empty()) throw InputError(source_, std::move(problems_));
     if (table_.rows() == 0) fail({}, "the table has no rows of numbers");
     return std::move(table_);
@@ -94,7 +94,7 @@ class TableReader {
       CsvColumn& column = table_.columns[i];
       const std::string_view cell = trimmedCell(cells_[i]);
       const auto number = readCell(cell, separator_ != ',');
-      if (!number && problems_.size() < kMostProblems) {
+      if (!number && problems_.size() < kMostCellProblems) {
         problems_.push_back(
             {linePath() + ", column " + excerpt(column.name),
              cell.empty() ? std::string("the cell is empty") : inQuotes(cell) + " is not a number",
@@ -140,7 +140,7 @@ std::vector<double> CsvTable::values(std::string_view name, std::string_view uni
     std::string list;
     for (const CsvColumn& c : columns) {
       names.push_back(c.name);
-      if (names.size() <= kMostProblems) list += (list.empty() ? "" : ", ") + excerpt(c.name);
+      if (names.size() <= kMostCellProblems) list += (list.empty() ? "" : ", ") + excerpt(c.name);
     }
     const auto near = schema::nearest(name, names);
     throw InputError(source, {{{},

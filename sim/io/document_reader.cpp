@@ -29,6 +29,29 @@ const JsonValue* member(const JsonValue::Object& object, std::string_view key) {
   return found == object.end() ? nullptr : &found->value;
 }
 
+/// The object with its member at `from`, two keys joined by a dot, as its own member `key`; nothing
+/// where the file has no such member or has `key` already.
+std::optional<JsonValue::Object> withMoved(const JsonValue::Object& object, std::string_view from,
+                                           const std::string& key) {
+  const std::size_t dot = from.find('.');
+  const JsonValue* holder = member(object, from.substr(0, dot));
+  if (holder == nullptr || holder->object() == nullptr || member(object, key) != nullptr) return {};
+  const std::string_view inner = from.substr(dot + 1);
+  if (member(*holder->object(), inner) == nullptr) return {};
+  JsonValue::Object result = object;
+  for (auto& [name, value] : result) {
+    if (name != from.substr(0, dot)) continue;
+    auto& members = std::get<JsonValue::Object>(value.value);
+    const auto at = std::find_if(members.begin(), members.end(),
+                                 [&](const auto& entry) { return entry.key == inner; });
+    JsonMember taken{key, std::move(at->value)};
+    members.erase(at);
+    result.push_back(std::move(taken));
+    break;
+  }
+  return result;
+}
+
 class DocumentReader {
  public:
   explicit DocumentReader(std::vector<Problem>& problems) : problems_(problems) {}
@@ -36,6 +59,10 @@ class DocumentReader {
   /// Reads the members of one struct; `extraKey` is allowed besides the described ones.
   void readMembers(Ref node, const JsonValue::Object& object, const std::string& path,
                    std::string_view extraKey) {
+    for (const auto& [from, key] : node.type->moved) {
+      if (auto older = withMoved(object, from, key))
+        return readMembers(node, *older, path, extraKey);
+    }
     for (const auto& [key, value] : object) {
       if (problems_.size() >= kMostProblems) return;
       if (!extraKey.empty() && key == extraKey) continue;
@@ -114,19 +141,17 @@ class DocumentReader {
     }
     const JsonValue* type = member(*object, "type");
     const std::string* key = type == nullptr ? nullptr : type->text();
-    const auto option =
-        std::find_if(field.options.begin(), field.options.end(),
-                     [&](const auto& o) { return key != nullptr && o.key == *key; });
+    const auto option = key == nullptr ? std::nullopt : schema::optionNamed(field.options, *key);
     if (type == nullptr && field.untyped) {
       field.choose(owner, 0);
       return readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path, {});
     }
-    if (option == field.options.end()) {
+    if (!option) {
       return report(path + ".type",
                     type == nullptr ? "this key is missing" : type->shown() + " is not allowed",
                     schema::allowedOptions(field.options, key == nullptr ? "" : *key));
     }
-    field.choose(owner, static_cast<std::size_t>(option - field.options.begin()));
+    field.choose(owner, *option);
     readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path, "type");
   }
 

@@ -54,7 +54,7 @@ class DocumentWriter {
         key("type");
         value(field.options[field.chosen(owner)].key);
       }
-      members({&field.childType(owner, 0), field.child_(owner, 0)});
+      members({&field.childType(owner, 0), field.constChild(owner, 0)});
       close('}');
     }
   }
@@ -67,7 +67,7 @@ class DocumentWriter {
       const std::size_t length = path_.size();
       path_.append("[").append(std::to_string(i)).append("]");
       openObject(row);
-      members({&field.childType(owner, i), field.child_(owner, i)});
+      members({&field.childType(owner, i), field.constChild(owner, i)});
       close('}');
       path_.resize(length);
     }

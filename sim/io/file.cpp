@@ -16,10 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& path, std::string what, std::string allowed = {}) {
-  throw InputError(path.string(), {{{}, std::move(what), std::move(allowed)}});
-}
-
 std::string reason() {
   return std::generic_category().message(errno);
 }
@@ -38,7 +34,7 @@ class TemporaryFile {
       }
       if (errno != EEXIST) break;
     }
-    fail(target, "the file cannot be written: " + reason());
+    refuse(target.string(), "the file cannot be written: " + reason());
   }
   ~TemporaryFile() {
     std::error_code ignored;
@@ -55,12 +51,12 @@ class TemporaryFile {
     const int code = errno;
     if (descriptor >= 0) ::close(descriptor);
     errno = code;
-    if (!synced) fail(target, "the file cannot be written: " + reason());
+    if (!synced) refuse(target.string(), "the file cannot be written: " + reason());
     std::error_code error;
     const fs::file_status replaced = fs::status(target, error);
     if (fs::exists(replaced)) fs::permissions(name_, replaced.permissions(), error);
     fs::rename(name_, target, error);
-    if (error) fail(target, "the file cannot be written: " + error.message());
+    if (error) refuse(target.string(), "the file cannot be written: " + error.message());
     placed_ = true;
   }
 
@@ -75,7 +71,7 @@ void writeInto(const fs::path& opened, const fs::path& shown,
   std::ofstream out(opened, std::ios::binary | std::ios::trunc);
   if (out) write(out);
   out.close();
-  if (!out) fail(shown, "the file cannot be written: " + reason());
+  if (!out) refuse(shown.string(), "the file cannot be written: " + reason());
 }
 
 }  // namespace
@@ -83,21 +79,21 @@ void writeInto(const fs::path& opened, const fs::path& shown,
 std::string readTextFile(const fs::path& path, std::size_t maxBytes) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (!fs::exists(status)) fail(path, "there is no such file");
-  if (fs::is_directory(status)) fail(path, "this is a folder", "must be a file");
+  if (!fs::exists(status)) refuse(path.string(), "there is no such file");
+  if (fs::is_directory(status)) refuse(path.string(), "this is a folder", "must be a file");
   errno = 0;
   std::ifstream in(path, std::ios::binary);
-  if (!in) fail(path, "the file cannot be read: " + reason());
+  if (!in) refuse(path.string(), "the file cannot be read: " + reason());
   std::string text;
   std::string piece(std::size_t{1} << 16, '\0');
   while (in && text.size() <= maxBytes) {
     in.read(piece.data(), static_cast<std::streamsize>(piece.size()));
     text.append(piece.data(), static_cast<std::size_t>(in.gcount()));
   }
-  if (in.bad()) fail(path, "the file cannot be read: " + reason());
+  if (in.bad()) refuse(path.string(), "the file cannot be read: " + reason());
   if (text.size() > maxBytes) {
-    fail(path, "the file is too large",
-         "must be at most " + std::to_string(maxBytes >> 20) + " MiB");
+    refuse(path.string(), "the file is too large",
+           "must be at most " + std::to_string(maxBytes >> 20) + " MiB");
   }
   return text;
 }
@@ -112,7 +108,7 @@ void writeFileAtomically(const fs::path& path, std::string_view text) {
 void writeFileAtomically(const fs::path& path, const std::function<void(std::ostream&)>& write) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
-  if (fs::is_directory(status)) fail(path, "this is a folder", "must be a file");
+  if (fs::is_directory(status)) refuse(path.string(), "this is a folder", "must be a file");
   if (fs::exists(status) && !fs::is_regular_file(status)) return writeInto(path, path, write);
   // Through a link the file it points to is replaced, not the link.
   fs::path target = fs::exists(status) ? fs::canonical(path, error) : path;

@@ -16,10 +16,6 @@ namespace {
 constexpr int kGzipOnly = 16 + MAX_WBITS;  // as inflateInit2 wants it said
 constexpr std::size_t kPiece = std::size_t{1} << 16;
 
-[[noreturn]] void fail(const std::string& source, std::string what, std::string allowed) {
-  throw InputError(source, {{{}, std::move(what), std::move(allowed)}});
-}
-
 /// A stream of zlib, closed at the end.
 class Inflater {
  public:
@@ -65,20 +61,20 @@ bool isGzip(std::string_view bytes) {
 
 std::string unpackGzip(std::string_view bytes, std::size_t maxBytes, const std::string& source) {
   Inflater inflater(bytes);
-  if (!inflater.ready()) fail(source, "the file cannot be unpacked: out of memory", {});
+  if (!inflater.ready()) refuse(source, "the file cannot be unpacked: out of memory");
   std::string text;
   while (true) {
     const int code = inflater.next(text);
     if (text.size() > maxBytes) {
-      fail(source, "the compressed file holds too much",
-           "must be at most " + std::to_string(maxBytes >> 20) + " MiB when unpacked");
+      refuse(source, "the compressed file holds too much",
+             "must be at most " + std::to_string(maxBytes >> 20) + " MiB when unpacked");
     }
     if (code == Z_STREAM_END) {
       if (!inflater.nextMember()) return text;
     } else if (code == Z_BUF_ERROR) {
-      fail(source, "the compressed file is cut off", "must be the whole gzip file");
+      refuse(source, "the compressed file is cut off", "must be the whole gzip file");
     } else if (code != Z_OK) {
-      fail(source, "the compressed file is damaged", "must be an unharmed gzip file");
+      refuse(source, "the compressed file is damaged", "must be an unharmed gzip file");
     }
   }
 }

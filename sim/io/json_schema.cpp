@@ -164,7 +164,7 @@ class SchemaWriter {
                 {"minItems", field.size},
                 {"maxItems", field.size}};
       case Kind::Group:
-        return reference(field.childType(owner, 0), {}, field.child_(owner, 0));
+        return reference(field.childType(owner, 0), {}, field.constChild(owner, 0));
       case Kind::Variant: {
         ordered_json alternatives = ordered_json::array();
         for (std::size_t i = 0; i < field.options.size(); ++i) {

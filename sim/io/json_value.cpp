@@ -5,16 +5,13 @@
 #include <nlohmann/json.hpp>
 #include <unordered_set>
 
+#include "sim/core/error.h"
 #include "sim/core/number_text.h"
 #include "sim/core/schema_tree.h"
 
 namespace rotorbench {
 
 namespace {
-
-[[noreturn]] void fail(const std::string& source, std::string what, std::string allowed = {}) {
-  throw InputError(source, {{{}, std::move(what), std::move(allowed)}});
-}
 
 /// "line 3, column 7" of a byte; columns count characters.
 std::string placeOf(std::string_view text, std::size_t byte) {
@@ -185,20 +182,21 @@ std::string JsonValue::shown() const {
 JsonValue parseJson(std::string_view text, const std::string& source,
                     std::vector<Problem>& problems) {
   if (text.size() > kMaxJsonBytes) {
-    fail(source, "the file is too large",
-         "must be at most " + std::to_string(kMaxJsonBytes >> 20) + " MiB");
+    refuse(source, "the file is too large",
+           "must be at most " + std::to_string(kMaxJsonBytes >> 20) + " MiB");
   }
   if (const auto byte = findInvalidUtf8(text)) {
-    fail(source, "this is not text in UTF-8: see " + placeOf(text, *byte));
+    refuse(source, "this is not text in UTF-8: see " + placeOf(text, *byte));
   }
   // nlohmann takes a zero byte for the end of the input and would not see what follows.
   if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
-    fail(source, "this is not text: there is a zero byte at " + placeOf(text, zero));
+    refuse(source, "this is not text: there is a zero byte at " + placeOf(text, zero));
   }
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
-    fail(source, "the file is empty");
+    refuse(source, "the file is empty");
   TreeBuilder builder(text, problems);
-  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) fail(source, builder.fault());
+  if (!nlohmann::json::sax_parse(text.begin(), text.end(), &builder))
+    refuse(source, builder.fault());
   return std::move(builder.root());
 }
 

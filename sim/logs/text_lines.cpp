@@ -13,10 +13,6 @@ namespace rotorbench {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& source, std::string what, std::string allowed) {
-  throw InputError(source, {{{}, std::move(what), std::move(allowed)}});
-}
-
 void appendUtf8(std::string& out, std::uint32_t code) {
   const auto tail = [&](std::uint32_t bits) { out += static_cast<char>(0x80 | (bits & 0x3F)); };
   if (code < 0x80) {
@@ -80,7 +76,8 @@ void refuseWhatIsNoText(std::string_view bytes, const std::string& source) {
   if (isGzip(bytes) || bytes.starts_with("PK\x03\x04") || bytes.starts_with("BZh") ||
       bytes.starts_with("\xFD"
                         "7zXZ")) {
-    fail(source, "this file is compressed", "must be unpacked first (a spreadsheet: saved as CSV)");
+    refuse(source, "this file is compressed",
+           "must be unpacked first (a spreadsheet: saved as CSV)");
   }
 }
 
@@ -91,7 +88,8 @@ TextLines TextLines::fromFile(const std::filesystem::path& path) {
 }
 
 TextLines TextLines::fromBytes(std::string_view bytes, std::string source) {
-  if (bytes.size() > kMaxCsvBytes) fail(source, "the file is too large", "must be at most 64 MiB");
+  if (bytes.size() > kMaxCsvBytes)
+    refuse(source, "the file is too large", "must be at most 64 MiB");
   if (!isGzip(bytes)) return fromText(bytes, std::move(source));
   const std::string unpacked = unpackGzip(bytes, kMaxCsvBytes, source);
   return fromText(unpacked, std::move(source));
@@ -102,10 +100,10 @@ TextLines TextLines::fromText(std::string_view bytes, std::string source) {
   TextLines lines;
   lines.text_ = decoded(bytes);
   if (lines.text_.find('\0') != std::string::npos) {
-    fail(source, "this is not text: it holds zero bytes", "must be a table of text");
+    refuse(source, "this is not text: it holds zero bytes", "must be a table of text");
   }
   if (lines.text_.find_first_not_of(" \t\r\n") == std::string::npos) {
-    fail(source, "the file is empty", "must be a table of text");
+    refuse(source, "the file is empty", "must be a table of text");
   }
   lines.source_ = std::move(source);
   lines.split();

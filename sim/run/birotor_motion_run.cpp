@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "sim/document/birotor_motion.h"
 #include "sim/ode/solver.h"
 #include "sim/run/birotor_view.h"
 #include "sim/run/simulation.h"

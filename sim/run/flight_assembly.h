@@ -7,7 +7,8 @@
 #include <memory>
 
 #include "sim/control/controller.h"
-#include "sim/control/motor_speed.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/run/builders.h"
 #include "sim/run/flight_simulation.h"
 
@@ -16,9 +17,9 @@ namespace rotorbench {
 using ControllerFactory = std::function<std::unique_ptr<Controller>(const ControlModel&)>;
 
 /// The parts of a flight whose controller `factory` makes for the vehicle as planned; set-points
-/// are those of `timeline`. Throws InputError with paths from the context's place on.
-FlightParts controlledFlight(const Flight& flight, const MotorSpeedParameters& motors,
-                             const PidControl& timeline, const BuildContext& context,
-                             const ControllerFactory& factory);
+/// and motor speed controllers are those of `inputs`. Throws InputError with paths from the
+/// context's place on.
+FlightParts controlledFlight(const Flight& flight, const ControlledInputs& inputs,
+                             const BuildContext& context, const ControllerFactory& factory);
 
 }  // namespace rotorbench

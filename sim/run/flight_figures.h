@@ -7,7 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/core/metrics.h"
 #include "sim/core/recording.h"
-#include "sim/document/pid_control.h"
+#include "sim/document/set_points.h"
 #include "sim/propulsion/drive/battery.h"
 
 namespace rotorbench {

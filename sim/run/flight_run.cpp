@@ -1,8 +1,11 @@
 #include <utility>
 
-#include "sim/control/pid_flight.h"
+#include "sim/control/pid.h"
 #include "sim/control/speed_controllers.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/run/builders.h"
+#include "sim/run/controller_factory.h"
 #include "sim/run/flight_assembly.h"
 #include "sim/run/flight_simulation.h"
 #include "sim/run/input_tasks.h"
@@ -22,13 +25,12 @@ struct PartsOf {
   const BuildContext& context;
   Place vehicle = context.place / "vehicle", control = context.place / "control";
 
-  FlightParts operator()(const PidControl& pid) const {
-    const Timing timing{
-        ticksBetween(pid.controller.rate, flight.tick, control / "controller" / "rate")};
-    return controlledFlight(
-        flight, pid.controller.motors, pid, context, [&](const ControlModel& model) {
-          return std::make_unique<PidFlight>(pid.controller, model, timing, vehicle);
-        });
+  FlightParts operator()(const ControlledInputs& inputs) const {
+    const auto factory = [&](const ControlModel& model) {
+      return makeController(inputs.controller,
+                            {model, flight.tick, control / "controller", vehicle});
+    };
+    return controlledFlight(flight, inputs, context, factory);
   }
   FlightParts operator()(const SpeedInputs& inputs) const {
     auto signal = loadInputs(inputs, context.directory, control);
@@ -51,30 +53,29 @@ struct PartsOf {
 
 }  // namespace
 
-FlightParts controlledFlight(const Flight& flight, const MotorSpeedParameters& motors,
-                             const PidControl& timeline, const BuildContext& context,
-                             const ControllerFactory& factory) {
+FlightParts controlledFlight(const Flight& flight, const ControlledInputs& inputs,
+                             const BuildContext& context, const ControllerFactory& factory) {
   const Place vehicle = context.place / "vehicle";
   // The controller flies the vehicle as planned; deviations are what it does not know.
   const ControlModel model = controlModel(flight.vehicle, flight.environment, vehicle);
-  const Timing speedTiming{ticksBetween(
-      motors.rate, flight.tick, context.place / "control" / "controller" / "motors" / "rate")};
+  const Timing speedTiming{
+      ticksBetween(inputs.motors.rate, flight.tick, context.place / "control" / "motors" / "rate")};
   FlightParts parts;
   parts.plant = makePlant(flight, RotorDrive::Motors, vehicle);
   auto controller = factory(model);
   parts.held = controller->held();
-  parts.timeline = timeline.setPoints;
+  parts.timeline = inputs.setPoints;
   parts.tasks.push_back(makeSensors(flight.sensors, context.seed));
   parts.tasks.push_back(std::make_unique<TrueState>());
-  parts.tasks.push_back(std::make_unique<Timeline>(timeline.setPoints, timeline.interpolation));
+  parts.tasks.push_back(std::make_unique<Timeline>(inputs.setPoints, inputs.interpolation));
   parts.tasks.push_back(std::move(controller));
-  parts.tasks.push_back(std::make_unique<SpeedControllers>(motors, model, speedTiming));
+  parts.tasks.push_back(std::make_unique<SpeedControllers>(inputs.motors, model, speedTiming));
   return parts;
 }
 
 std::unique_ptr<Simulation> build(const Flight& flight, const BuildContext& context) {
-  return std::make_unique<FlightSimulation>(flight, context.outputs,
-                                            std::visit(PartsOf{flight, context}, flight.control));
+  return std::make_unique<FlightSimulation>(
+      flight, context.outputs, visitAlternative(PartsOf{flight, context}, flight.control));
 }
 
 }  // namespace rotorbench

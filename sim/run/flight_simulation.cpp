@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "sim/document/flight.h"
 #include "sim/run/flight_figures.h"
 #include "sim/run/simulation.h"
 
@@ -17,7 +18,7 @@ FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& o
       scheduler_(std::move(parts.tasks), Signal::Truth),
       held_(std::move(parts.held)),
       timeline_(std::move(parts.timeline)),
-      watch_(held_),
+      watch_(held_, board_),
       every_(ticksPerRow(outputs, flight.tick)),
       ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
   board_.rotors = plant_->rotors();
@@ -54,7 +55,7 @@ bool FlightSimulation::prepare(const ClockTick& tick) {
   plant_->observe(board_.truth);
   scheduler_.run(tick, board_, row_.data() + firstOfTasks_);
   const double bus = plant_->command(tick, board_.command);
-  watch_.see(tick.time, board_.truth, board_.setPoint);
+  watch_.see(tick.time);
   // A winding takes up no current at once: the bus at the start of a tick is the one under load.
   const bool empty = bus < plant_->supply().cutOff;
   if (done_ % every_ != 0 && done_ < ticks_ && !empty) return true;

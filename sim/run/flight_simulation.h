@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "sim/control/controller.h"
+#include "sim/document/flight.h"
+#include "sim/document/set_points.h"
 #include "sim/run/flight_watch.h"
 #include "sim/run/plant_handle.h"
 #include "sim/run/scheduler.h"
@@ -42,9 +44,9 @@ class FlightSimulation final : public SimulationBase {
   Scheduler scheduler_;
   std::vector<HeldQuantity> held_;
   std::vector<SetPointRow> timeline_;
-  FlightWatch watch_;
-  std::int64_t every_, ticks_, done_ = 0;
   Board board_;
+  FlightWatch watch_;  ///< of board_
+  std::int64_t every_, ticks_, done_ = 0;
   std::vector<double> row_;  ///< time, the plant's, the tasks'
   std::size_t firstOfTasks_ = 0;
   Recording* recording_ = nullptr;

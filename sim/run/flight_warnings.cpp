@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "sim/document/controlled_inputs.h"
 #include "sim/run/drive_warnings.h"
 #include "sim/run/hover_check.h"
 #include "sim/run/step_stability.h"
@@ -10,8 +11,6 @@
 namespace rotorbench {
 
 namespace {
-
-constexpr int kRotors = 4;
 
 /// A rotor of a sound vehicle and where it is described; one stands for all that are alike.
 struct DescribedRotor {
@@ -39,7 +38,7 @@ void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
   for (const auto& [path, rotor] : rotors) {
     const MotorConstants motor = buildMotor(rotor.motor);
     if (rotor.esc.responseTime > 0) lag = std::max(lag, 1 / rotor.esc.responseTime);
-    const double coupled = kRotors * supply.resistance;
+    const double coupled = kVehicleRotors * supply.resistance;
     shared = std::max(shared, coupled * motor.inverseInductance);
     // Friction is steepest at rest.
     const double drag = motor.viscousFriction + motor.dryFriction / kFrictionSpeed;
@@ -63,9 +62,9 @@ void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
 std::vector<Problem> flightWarnings(const Flight& flight) {
   std::vector<Problem> problems;
   if (!std::holds_alternative<SpeedInputs>(flight.control)) {
-    if (const auto* pid = std::get_if<PidControl>(&flight.control)) {
+    if (const auto* inputs = alternativeIf<ControlledInputs>(flight.control)) {
       for (const auto& [path, rotor] : describedRotors(flight.vehicle))
-        warnOfDelays(rotor.esc, path + ".esc", pid->controller.motors.rate, problems);
+        warnOfDelays(rotor.esc, path + ".esc", inputs->motors.rate, problems);
     }
     if (stabilityLimit(flight.solver.method) > 0) warnOfUnstableStep(flight, problems);
   }

@@ -5,10 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
+#include <string>
 #include <vector>
 
 #include "sim/control/controller.h"
+#include "sim/core/constants.h"
 #include "sim/core/run_summary.h"
 
 namespace rotorbench {
@@ -21,18 +23,20 @@ class FlightWatch {
   /// s for which a set-point must have been left by the end of the run.
   static constexpr double kLeastAbsence = 1;
 
-  /// `held` is empty where inputs were laid down in advance: then any attitude is what was asked
-  /// for.
-  explicit FlightWatch(std::vector<HeldQuantity> held);
+  /// Watches the signals of `board`, which stays where it is. `held` is empty where inputs were
+  /// laid down in advance: then any attitude is what was asked for.
+  FlightWatch(std::vector<HeldQuantity> held, const Board& board);
 
   /// One tick at a time in s.
-  void see(double time, const Truth& truth, const SetPoint& setPoint) {
+  void see(double time) {
     time_ = time;
-    if (truth.body.position[2] < -kGroundDepth && !(belowGround_ <= time)) belowGround_ = time;
-    if (truth.tiltCosine > 0) hasBeenUpright_ = true;
-    if (truth.tiltCosine < 0 && hasBeenUpright_ && !(overturned_ <= time)) overturned_ = time;
-    for (Held& held : held_)
-      follow(held, held.quantity.wanted(setPoint), held.quantity.value(truth));
+    if (truth_.body.position[2] < -kGroundDepth && !(belowGround_ <= time)) [[unlikely]]
+      belowGround_ = time;
+    if (truth_.tiltCosine > 0) [[likely]]
+      hasBeenUpright_ = true;
+    else if (truth_.tiltCosine < 0 && hasBeenUpright_ && !(overturned_ <= time))
+      overturned_ = time;
+    for (Held& held : held_) follow(held);
   }
 
   /// As of the last tick seen, in the order of time.
@@ -43,33 +47,35 @@ class FlightWatch {
   /// than its limit. Every move of the set-point itself is added to what is allowed, so that a step
   /// or a ramp is no departure.
   struct Held {
-    HeldQuantity quantity;
-    bool started = false;
-    double wanted = 0, value = 0;  ///< at the last tick
-    double error = 0;              ///< wanted - value; through whole turns
-    double nearest = 0;            ///< least distance since, and what the set-point moved after it
-    double near = 0;               ///< s, last time at which it was not farther than allowed
+    const double *wantedNow, *valueNow;
+    double limit;
+    bool turns;
+    double wanted = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN: none yet
+    double value = 0;                                          ///< at the last tick
+    double error = 0;    ///< wanted - value; through whole turns
+    double nearest = 0;  ///< least distance since, and what the set-point moved after it
+    double near = 0;     ///< s, last time at which it was not farther than allowed
+    std::string name;
   };
   /// The shortest way between two angles; mostly they are near each other.
   static double shortWay(double angle) {
-    return std::abs(angle) <= std::numbers::pi ? angle
-                                               : std::remainder(angle, 2 * std::numbers::pi);
+    return std::abs(angle) <= kPi ? angle : std::remainder(angle, kTurn);
   }
-  void follow(Held& h, double wanted, double value) {
-    const double moved = h.quantity.turns ? shortWay(wanted - h.wanted) : wanted - h.wanted;
-    if (!h.started || !h.quantity.turns) {
-      h.error = h.quantity.turns ? shortWay(wanted - value) : wanted - value;
-    } else {
-      h.error += moved - shortWay(value - h.value);
-    }
-    const double distance = std::abs(h.error);
-    h.nearest = h.started ? std::min(h.nearest + std::abs(moved), distance) : distance;
-    h.started = true;
-    h.wanted = wanted;
+  void follow(Held& h) {
+    const double wanted = *h.wantedNow, value = *h.valueNow;
+    // At most ticks the set-point stays.
+    if (wanted != h.wanted) [[unlikely]]
+      move(h, wanted, value);
+    h.error = h.turns ? h.error - shortWay(value - h.value) : wanted - value;
     h.value = value;
-    if (distance <= h.nearest + h.quantity.limit) h.near = time_;
+    const double distance = std::abs(h.error);
+    h.nearest = std::min(h.nearest, distance);
+    if (distance <= h.nearest + h.limit) h.near = time_;
   }
+  /// The set-point of this tick is another than at the last.
+  static void move(Held& h, double wanted, double value);
 
+  const Truth& truth_;
   std::vector<Held> held_;
   double time_ = 0;
   double belowGround_, overturned_;  ///< s; NaN while they have not been

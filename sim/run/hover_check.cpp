@@ -11,9 +11,8 @@ namespace rotorbench {
 
 namespace {
 
-constexpr int kRotors = 4;
-using Constants = MultirotorConstants<kRotors>;
-using Plant = Multirotor<kRotors, RotorDrive::Motors>;
+using Constants = MultirotorConstants<kVehicleRotors>;
+using Plant = Multirotor<kVehicleRotors, RotorDrive::Motors>;
 
 std::string three(double value) {
   return shortNumber(value, 3);
@@ -29,7 +28,7 @@ std::string missingFor(const Constants& c, const Plant::Command& speeds) {
   const double density = c.air.density(0.0);
   double power = 0, mostVoltage = 0;
   int mostRotor = 0;
-  for (int i = 0; i < kRotors; ++i) {
+  for (int i = 0; i < kVehicleRotors; ++i) {
     const auto& hub = c.hubs[static_cast<std::size_t>(i)];
     const double current =
         hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
@@ -106,7 +105,8 @@ void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
   const bool starts = flight.start.rotors == RotorStart::Hover;
   if (!flown && !starts) return;
   try {
-    const Constants c = buildMultirotor<kRotors>(withoutMaps(flight.vehicle), flight.environment);
+    const Constants c =
+        buildMultirotor<kVehicleRotors>(withoutMaps(flight.vehicle), flight.environment);
     const std::string missing = missingFor(c, Plant(c).hoverSpeeds());
     if (missing.empty()) return;
     if (flown) {

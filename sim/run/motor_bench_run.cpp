@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/analysis/curve_figures.h"
+#include "sim/document/motor_bench.h"
 #include "sim/run/drive_build.h"
 #include "sim/run/drive_simulation.h"
 #include "sim/run/simulation.h"

@@ -7,6 +7,7 @@
 
 #include "sim/analysis/curve_figures.h"
 #include "sim/analysis/step_response.h"
+#include "sim/document/motor_speed_run.h"
 #include "sim/run/drive_build.h"
 #include "sim/run/drive_simulation.h"
 #include "sim/run/simulation.h"
@@ -22,8 +23,9 @@ class SpeedCommander {
   SpeedCommander(const MotorSpeedRun& run, const DriveTrain& train, bool limited,
                  const Place& place)
       : steps_(run.setPoints),
-        controller_(run.controller, motorSeen(train), train.esc(), train.inertia(),
-                    feedForward(run, train), limited),
+        controller_(run.controller,
+                    {motorSeen(train), train.esc(), train.inertia(), feedForward(run, train)},
+                    limited),
         limited_(limited),
         every_(ticksBetween(run.controller.rate, run.run.tick, place / "controller" / "rate")) {}
 

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "sim/document/flight.h"
 #include "sim/ode/solver.h"
 #include "sim/run/delayed_commands.h"
 #include "sim/run/plant_handle.h"

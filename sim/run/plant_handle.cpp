@@ -6,8 +6,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr int kRotors = 4;
-
 template <int N>
 ControlModel controlModelOf(const MultirotorConstants<N>& c) {
   ControlModel m;
@@ -47,19 +45,21 @@ auto at(const Place& place, Make&& make) {
 std::unique_ptr<PlantHandle> makePlant(const Flight& flight, RotorDrive drive,
                                        const Place& vehicle) {
   return at(vehicle, [&]() -> std::unique_ptr<PlantHandle> {
-    const auto constants = buildMultirotor<kRotors>(flight.vehicle, flight.environment);
+    const auto constants = buildMultirotor<kVehicleRotors>(flight.vehicle, flight.environment);
     if (drive == RotorDrive::Motors)
-      return std::make_unique<MultirotorHandle<Multirotor<kRotors, RotorDrive::Motors>>>(constants,
-                                                                                         flight);
-    return std::make_unique<MultirotorHandle<Multirotor<kRotors, RotorDrive::PrescribedSpeeds>>>(
-        constants, flight);
+      return std::make_unique<MultirotorHandle<Multirotor<kVehicleRotors, RotorDrive::Motors>>>(
+          constants, flight);
+    return std::make_unique<
+        MultirotorHandle<Multirotor<kVehicleRotors, RotorDrive::PrescribedSpeeds>>>(constants,
+                                                                                    flight);
   });
 }
 
 ControlModel controlModel(const VehicleParameters& vehicle,
                           const EnvironmentParameters& environment, const Place& place) {
-  return at(place,
-            [&] { return controlModelOf(buildMultirotor<kRotors>(vehicle, environment, true)); });
+  return at(place, [&] {
+    return controlModelOf(buildMultirotor<kVehicleRotors>(vehicle, environment, true));
+  });
 }
 
 }  // namespace rotorbench

@@ -5,6 +5,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/document/experiment.h"
+#include "sim/document/kinds.h"
 #include "sim/run/drive_warnings.h"
 #include "sim/run/flight_warnings.h"
 
@@ -43,7 +44,7 @@ std::vector<Problem> runWarnings(const Experiment& experiment) {
   const auto faults = schema::validate(schema::ref(experiment));
   // Nothing can be built of what has faults.
   if (!std::ranges::all_of(faults, &Problem::warning)) return {};
-  std::vector<Problem> warnings = std::visit(WarningsOf{}, experiment.setup);
+  std::vector<Problem> warnings = visitAlternative(WarningsOf{}, experiment.setup);
   for (Problem& warning : warnings) warning.path = "setup." + warning.path;
   return warnings;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/document/propeller_bench.h"
 #include "sim/run/propeller_track.h"
 #include "sim/run/simulation.h"
 #include "sim/run/simulation_base.h"

@@ -4,16 +4,15 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include "sim/analysis/curve_figures.h"
+#include "sim/core/constants.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace

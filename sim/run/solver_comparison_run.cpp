@@ -4,6 +4,7 @@
 #include <chrono>
 #include <optional>
 
+#include "sim/document/solver_comparison.h"
 #include "sim/run/birotor_view.h"
 #include "sim/run/compared_run.h"
 #include "sim/run/simulation.h"

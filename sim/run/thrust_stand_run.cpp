@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sim/analysis/curve_figures.h"
+#include "sim/document/thrust_stand.h"
 #include "sim/run/drive_build.h"
 #include "sim/run/drive_simulation.h"
 #include "sim/run/simulation.h"

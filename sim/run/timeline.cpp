@@ -42,7 +42,7 @@ std::vector<Channel> Timeline::channels() const {
 void Timeline::act(const ClockTick& tick, Board& board, double* row) {
   const Eigen::Vector4d wanted = signal_.at(tick.time);
   board.setPoint = {wanted[0], wanted[1], wanted[2], wanted[3]};
-  std::copy(wanted.begin(), wanted.end(), row);
+  Eigen::Map<Eigen::Vector4d>{row} = wanted;
 }
 
 std::vector<SetPointChange> changesOf(const std::vector<SetPointRow>& rows,

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "sim/analysis/step_response.h"
-#include "sim/document/pid_control.h"
+#include "sim/document/prescribed_inputs.h"
+#include "sim/document/set_points.h"
 #include "sim/signal/input_signal.h"
 #include "sim/signal/task.h"
 

@@ -1,6 +1,7 @@
 #include "sim/scene/scene_model.h"
 
 #include "sim/document/experiment.h"
+#include "sim/document/kinds.h"
 #include "sim/scene/propeller_scene.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
@@ -89,7 +90,8 @@ std::optional<SceneModel> modelOf(const BirotorMotion& motion) {
 
 std::optional<SceneModel> sceneModel(const Experiment& experiment) {
   try {
-    auto model = std::visit([](const auto& setup) { return modelOf(setup); }, experiment.setup);
+    auto model =
+        visitAlternative([](const auto& setup) { return modelOf(setup); }, experiment.setup);
     if (model) model->title = experiment.title;
     return model;
   } catch (const InputError&) {

@@ -1,5 +1,6 @@
 #include "sim/sizing/apply_data_sheet.h"
 
+#include "sim/document/kinds.h"
 #include "sim/sizing/drive_point.h"
 
 namespace rotorbench {
@@ -7,9 +8,9 @@ namespace rotorbench {
 namespace {
 
 const DriveStand* standOf(const Experiment& experiment) {
-  if (const auto* bench = std::get_if<MotorBench>(&experiment.setup)) return &bench->stand;
-  if (const auto* run = std::get_if<MotorSpeedRun>(&experiment.setup)) return &run->stand;
-  if (const auto* stand = std::get_if<ThrustStand>(&experiment.setup)) return &stand->stand;
+  if (const auto* bench = alternativeIf<MotorBench>(experiment.setup)) return &bench->stand;
+  if (const auto* run = alternativeIf<MotorSpeedRun>(experiment.setup)) return &run->stand;
+  if (const auto* stand = alternativeIf<ThrustStand>(experiment.setup)) return &stand->stand;
   return nullptr;
 }
 
@@ -169,21 +170,21 @@ void apply(const DataSheet& sheet, DriveStand& stand) {
 }  // namespace
 
 std::string dataSheetTarget(const Experiment& experiment) {
-  if (std::holds_alternative<Flight>(experiment.setup)) return "setup.vehicle";
+  if (holdsAlternative<Flight>(experiment.setup)) return "setup.vehicle";
   return standOf(experiment) != nullptr ? "setup.stand" : "";
 }
 
 std::optional<DataSheet> dataSheetOf(const Experiment& experiment) {
-  if (const auto* flight = std::get_if<Flight>(&experiment.setup)) return sheetOf(*flight);
+  if (const auto* flight = alternativeIf<Flight>(experiment.setup)) return sheetOf(*flight);
   if (const auto* stand = standOf(experiment)) return sheetOf(*stand);
   return std::nullopt;
 }
 
 void applyDataSheet(const DataSheet& sheet, Experiment& experiment) {
-  if (auto* flight = std::get_if<Flight>(&experiment.setup)) return apply(sheet, *flight);
-  if (auto* bench = std::get_if<MotorBench>(&experiment.setup)) return apply(sheet, bench->stand);
-  if (auto* run = std::get_if<MotorSpeedRun>(&experiment.setup)) return apply(sheet, run->stand);
-  if (auto* stand = std::get_if<ThrustStand>(&experiment.setup)) return apply(sheet, stand->stand);
+  if (auto* flight = alternativeIf<Flight>(experiment.setup)) return apply(sheet, *flight);
+  if (auto* bench = alternativeIf<MotorBench>(experiment.setup)) return apply(sheet, bench->stand);
+  if (auto* run = alternativeIf<MotorSpeedRun>(experiment.setup)) return apply(sheet, run->stand);
+  if (auto* stand = alternativeIf<ThrustStand>(experiment.setup)) return apply(sheet, stand->stand);
 }
 
 }  // namespace rotorbench

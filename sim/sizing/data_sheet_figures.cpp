@@ -13,7 +13,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kSpeedOfSound = 340.294;  // m/s, ISO 2533:1975 at sea level
 constexpr double kTipMach = 0.7;
 constexpr const char* kMotorSource = "Thesis 2014, figure 3.11";
@@ -33,37 +32,12 @@ struct Worked {
       bestEfficiency(train.motor(), train.supply().openCircuit(train.supply().charge));
 };
 
-/// Writes figures of one group.
-class Group {
- public:
-  Group(FigureSheet& sheet, std::string key, std::string title)
-      : sheet_(sheet), key_(std::move(key)), title_(std::move(title)) {}
-  Figure& add(const char* key, const char* label, const char* symbol, double value,
-              const char* unit, const char* shown, Sentence formula, const char* source = "") {
-    sheet_.figures.push_back({key_ + "." + key,
-                              title_,
-                              label,
-                              symbol,
-                              value,
-                              unit,
-                              shown,
-                              std::move(formula),
-                              source,
-                              {}});
-    return sheet_.figures.back();
-  }
-
- private:
-  FigureSheet& sheet_;
-  std::string key_, title_;
-};
-
 double fastestElectricalPole(const Worked& w) {
   return std::max(w.train.fastestPole(0), w.train.fastestPole(w.full.speed));
 }
 
 void addMotor(FigureSheet& sheet, const Worked& w) {
-  Group g(sheet, "motor", "Motor");
+  FigureGroup g(sheet, "motor", "Motor");
   const MotorConstants& m = w.train.motor();
   const MotorParameters& p = w.sheet.motor;
   g.add("torqueConstant", "Torque constant", "K_t", m.torqueConstant, "N*m/A", "mN*m/A",
@@ -88,20 +62,20 @@ void addMotor(FigureSheet& sheet, const Worked& w) {
 }
 
 void addPropeller(FigureSheet& sheet, const Worked& w) {
-  Group g(sheet, "propeller", "Propeller");
+  FigureGroup g(sheet, "propeller", "Propeller");
   const DrivePoint& at = w.hover ? *w.hover : w.full;
   const char* where = w.hover ? "at the hover speed" : "at full throttle";
   const double square = at.speed * at.speed;
   const bool turns = square > 0;
-  g.add("thrustCoefficient", "Thrust coefficient", "k_f", turns ? at.thrust / square : kNone,
+  g.add("thrustCoefficient", "Thrust coefficient", "k_f", turns ? at.thrust / square : kNoFigure,
         "N*s^2", "N*s^2", "T/\u03a9\u00b2 = C_T \u03c1 D\u2074/(4\u03c0\u00b2)")
       .note = where;
-  g.add("torqueCoefficient", "Torque coefficient", "k_m", turns ? at.torque / square : kNone,
+  g.add("torqueCoefficient", "Torque coefficient", "k_m", turns ? at.torque / square : kNoFigure,
         "N*m*s^2", "N*m*s^2", "Q/\u03a9\u00b2 = C_P \u03c1 D\u2075/(8\u03c0\u00b3)")
       .note = where;
   const double shaft = at.torque * at.speed;
   g.add("figureOfMerit", "Figure of merit", "FM",
-        shaft > 0 ? figureOfMerit(at.thrust, shaft, w.radius, w.density) : kNone, "1", "1",
+        shaft > 0 ? figureOfMerit(at.thrust, shaft, w.radius, w.density) : kNoFigure, "1", "1",
         "T^(3/2)/\u221a(2 \u03c1 A) over the shaft power", kMomentum)
       .note = where;
   g.add("inertia", "Inertia of the rotor", "J", w.train.inertia(), "kg*m^2", "g*cm^2",
@@ -111,7 +85,7 @@ void addPropeller(FigureSheet& sheet, const Worked& w) {
 }
 
 void addHover(FigureSheet& sheet, const Worked& w) {
-  Group g(sheet, "hover", "Hover");
+  FigureGroup g(sheet, "hover", "Hover");
   const std::size_t first = sheet.figures.size();
   const DrivePoint p = w.hover.value_or(DrivePoint{});
   const double n = w.sheet.vehicle.rotors;
@@ -134,9 +108,9 @@ void addHover(FigureSheet& sheet, const Worked& w) {
   g.add("shaftPower", "Shaft power per rotor", "P_s", shaft, "W", "W", "Q \u03a9");
   g.add("power", "Electrical power per drive", "P_h", bus, "W", "W", "V_h d_h i_h");
   g.add("totalPower", "Electrical power of all", "N P_h", n * bus, "W", "W", "N V_h d_h i_h");
-  g.add("motorEfficiency", "Motor efficiency", "\u03b7_m", motor > 0 ? shaft / motor : kNone, "1",
-        "%", "Q \u03a9/(v i)", kMotorSource);
-  g.add("thrustPerPower", "Thrust per power", "T/P", bus > 0 ? p.thrust / bus : kNone, "N/W",
+  g.add("motorEfficiency", "Motor efficiency", "\u03b7_m", motor > 0 ? shaft / motor : kNoFigure,
+        "1", "%", "Q \u03a9/(v i)", kMotorSource);
+  g.add("thrustPerPower", "Thrust per power", "T/P", bus > 0 ? p.thrust / bus : kNoFigure, "N/W",
         "gf/W", "thrust over electrical power; gf/W is what sellers call g/W");
   const Discharge run = w.hover ? discharge(supply, load) : Discharge{};
   Figure& time =
@@ -145,17 +119,17 @@ void addHover(FigureSheet& sheet, const Worked& w) {
             "Chen, Rinc\u00f3n-Mora, IEEE Trans. Energy Conversion 21 (2006)");
   time.note = "ends when " + reasonOf(run.end, supply, load);
   if (run.end == DischargeEnd::Never)
-    time.value = kNone, time.note = reasonOf(run.end, supply, load);
+    time.value = kNoFigure, time.note = reasonOf(run.end, supply, load);
   if (w.hover) return;
   for (std::size_t k = first + 1; k < sheet.figures.size(); ++k) {
-    sheet.figures[k].value = kNone;
+    sheet.figures[k].value = kNoFigure;
     sheet.figures[k].note = "full throttle gives " + Sentence::number(w.full.thrust) +
                             " N of the " + Sentence::number(w.weight) + " N needed";
   }
 }
 
 void addFullThrottle(FigureSheet& sheet, const Worked& w) {
-  Group g(sheet, "full", "Full throttle");
+  FigureGroup g(sheet, "full", "Full throttle");
   const DrivePoint& p = w.full;
   const double shaft = p.torque * p.speed, motor = p.electrical.motorVoltage * p.electrical.current;
   const double bus = p.electrical.busVoltage * p.electrical.busCurrent;
@@ -175,16 +149,16 @@ void addFullThrottle(FigureSheet& sheet, const Worked& w) {
   g.add("totalCurrent", "Current from the supply", "I_max",
         w.sheet.vehicle.rotors * p.electrical.busCurrent, "A", "A", "N i_max");
   g.add("power", "Electrical power per drive", "P_max", bus, "W", "W", "V i_max");
-  g.add("motorEfficiency", "Motor efficiency", "\u03b7_m", motor > 0 ? shaft / motor : kNone, "1",
-        "%", "Q \u03a9/(v i)", kMotorSource);
-  g.add("thrustPerPower", "Thrust per power", "T/P", bus > 0 ? p.thrust / bus : kNone, "N/W",
+  g.add("motorEfficiency", "Motor efficiency", "\u03b7_m", motor > 0 ? shaft / motor : kNoFigure,
+        "1", "%", "Q \u03a9/(v i)", kMotorSource);
+  g.add("thrustPerPower", "Thrust per power", "T/P", bus > 0 ? p.thrust / bus : kNoFigure, "N/W",
         "gf/W", "thrust over electrical power");
   g.add("tipMach", "Tip Mach number", "M_tip", p.speed * w.radius / kSpeedOfSound, "1", "1",
         "\u03a9 R/a with a = " + Sentence::number(kSpeedOfSound, 4) + " m/s");
 }
 
 void addDynamics(FigureSheet& sheet, const Worked& w) {
-  Group g(sheet, "dynamics", "How fast it answers");
+  FigureGroup g(sheet, "dynamics", "How fast it answers");
   const MotorConstants& m = w.train.motor();
   const double r = m.resistance + w.sheet.esc.resistance;
   const double k = m.torqueConstant, j = w.train.inertia();
@@ -198,7 +172,7 @@ void addDynamics(FigureSheet& sheet, const Worked& w) {
                        .load = w.train.load(),
                        .inertia = j,
                        .quasiStaticCurrent = true};
-  const double pole = w.hover ? DriveTrain(slow).fastestPole(w.hover->speed) : kNone;
+  const double pole = w.hover ? DriveTrain(slow).fastestPole(w.hover->speed) : kNoFigure;
   Figure& tau = g.add("speed", "Speed about the hover", "\u03c4_\u03a9", 1 / pole, "s", "ms",
                       "J/(K_t\u00b2/(R + R_esc) + dQ/d\u03a9), linearised at the hover speed");
   tau.note =

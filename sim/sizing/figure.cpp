@@ -14,6 +14,22 @@ const Figure& FigureSheet::at(const std::string& key) const {
   throw std::out_of_range("no figure " + key);
 }
 
+Figure& FigureGroup::add(const char* key, const char* label, const char* symbol, double value,
+                         const char* unit, const char* shown, Sentence formula,
+                         const char* source) {
+  sheet_.figures.push_back({key_ + "." + key,
+                            title_,
+                            label,
+                            symbol,
+                            value,
+                            unit,
+                            shown,
+                            std::move(formula),
+                            source,
+                            {}});
+  return sheet_.figures.back();
+}
+
 std::string figureNumber(const Figure& figure, const NumberWriter& write) {
   constexpr int kDigits = 4;
   return write(fromSi(figure.value, unitFactor(figure.unit, figure.shownUnit)), kDigits);

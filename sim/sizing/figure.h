@@ -2,7 +2,9 @@
 // and what limits it. Values are SI; the unit a person reads first stands beside.
 #pragma once
 
+#include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/core/sentence.h"
@@ -29,6 +31,23 @@ struct FigureSheet {
 
   /// The figure named `key`; there must be one.
   [[nodiscard]] const Figure& at(const std::string& key) const;
+};
+
+/// Where there is no value.
+inline constexpr double kNoFigure = std::numeric_limits<double>::quiet_NaN();
+
+/// Writes the figures of one group: keys "group.key", one title.
+class FigureGroup {
+ public:
+  FigureGroup(FigureSheet& sheet, std::string key, std::string title)
+      : sheet_(sheet), key_(std::move(key)), title_(std::move(title)) {}
+  /// The figure, for its note.
+  Figure& add(const char* key, const char* label, const char* symbol, double value,
+              const char* unit, const char* shown, Sentence formula, const char* source = "");
+
+ private:
+  FigureSheet& sheet_;
+  std::string key_, title_;
 };
 
 /// "12.3 A" in the shown unit with four significant digits, in the C locale unless another writer

@@ -12,8 +12,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-
 // ISO 2533:1975, troposphere: rho = rho_0 (1 - L h/T_0)^(g/(R L) - 1).
 constexpr double kSeaLevelDensity = 1.225, kLapsePerMetre = 0.0065 / 288.15;
 constexpr double kDensityPower = 4.25588;
@@ -33,7 +31,7 @@ struct Flown {
   FullThrottle full;
   std::optional<Trim> hover;
   DriveDemand demand{};
-  double bus = kNone;                      ///< V under the hover's load
+  double bus = kNoFigure;                  ///< V under the hover's load
   Margin margin{-1, FlightLimit::NoTrim};  ///< of the hover at the largest throttle
 };
 
@@ -50,7 +48,7 @@ Sentence limitSentence(FlightLimit limit, const Flown& f, double throttle) {
              " throttle";
     case FlightLimit::Current: {
       double least = f.flight.currentLimit(0);
-      for (int i = 1; i < kSheetRotors; ++i) least = std::min(least, f.flight.currentLimit(i));
+      for (int i = 1; i < kVehicleRotors; ++i) least = std::min(least, f.flight.currentLimit(i));
       return "limited by the motor's current limit of " + Sentence::number(least) + " A";
     }
     case FlightLimit::Supply:
@@ -74,43 +72,19 @@ Sentence limitSentence(FlightLimit limit, const Flown& f, double throttle) {
   return {};
 }
 
-/// Writes figures of one group.
-class Group {
- public:
-  Group(FigureSheet& sheet, std::string key, std::string title)
-      : sheet_(sheet), key_(std::move(key)), title_(std::move(title)) {}
-  void add(const char* key, const char* label, const char* symbol, double value, const char* unit,
-           const char* shown, Sentence formula, Sentence note = {}) {
-    sheet_.figures.push_back({key_ + "." + key,
-                              title_,
-                              label,
-                              symbol,
-                              value,
-                              unit,
-                              shown,
-                              std::move(formula),
-                              {},
-                              std::move(note)});
-  }
-
- private:
-  FigureSheet& sheet_;
-  std::string key_, title_;
-};
-
 void addThrust(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "thrust", "Thrust");
+  FigureGroup g(sheet, "thrust", "Thrust");
   g.add("weight", "Weight", "m g", f.flight.weight(), "N", "N", "total mass times gravity");
   g.add("most", "Largest thrust", "T_max", f.full.thrust, "N", "N",
         "all rotors at full throttle at rest, full battery");
   g.add("toWeight", "Thrust to weight", "T/W", f.full.thrust / f.flight.weight(), "1", "1",
-        "T_max/(m g)",
-        f.full.currentLimited
-            ? "limited by a motor's current limit of " +
-                  Sentence::number(f.full.currents.maxCoeff()) + " A"
-            : "limited by the supply's voltage: " + Sentence::number(f.full.openCircuit) +
-                  " V fall to " + Sentence::number(f.full.busVoltage) + " V under " +
-                  Sentence::number(f.full.current) + " A");
+        "T_max/(m g)")
+      .note = f.full.currentLimited
+                  ? "limited by a motor's current limit of " +
+                        Sentence::number(f.full.currents.maxCoeff()) + " A"
+                  : "limited by the supply's voltage: " + Sentence::number(f.full.openCircuit) +
+                        " V fall to " + Sentence::number(f.full.busVoltage) + " V under " +
+                        Sentence::number(f.full.current) + " A";
   g.add("current", "Current at full throttle", "I_max", f.full.current, "A", "A",
         "of all motors, from the supply");
   g.add("power", "Power at full throttle", "P_max", f.full.power, "W", "W",
@@ -118,12 +92,12 @@ void addThrust(FigureSheet& sheet, const Flown& f) {
 }
 
 void addHover(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "hover", "Hover");
+  FigureGroup g(sheet, "hover", "Hover");
   const Sentence none = f.hover ? limitSentence(f.margin.limit, f, 1)
                                 : "the rotors cannot hold the vehicle in balance";
   const bool flies = f.hover && f.margin.value >= 0;
-  const auto or_ = [flies](double value) { return flies ? value : kNone; };
-  const double mean = flies ? f.hover->rotors.mean() : kNone;
+  const auto orNone = [flies](double value) { return flies ? value : kNoFigure; };
+  const double mean = flies ? f.hover->rotors.mean() : kNoFigure;
   const Sentence spread = !flies ? "the vehicle cannot hover: " + none
                           : f.hover->rotors.maxCoeff() - f.hover->rotors.minCoeff() > 1e-6 * mean
                               ? "mean; the rotors differ to balance the vehicle"
@@ -131,36 +105,38 @@ void addHover(FigureSheet& sheet, const Flown& f) {
   const double current = f.demand.power / f.bus;
   const double inner = f.flight.supply().openCircuit(f.flight.supply().charge);
   double ideal = 0, thrust = 0;
-  for (int i = 0; flies && i < kSheetRotors; ++i) {
+  for (int i = 0; flies && i < kVehicleRotors; ++i) {
     const double t = f.hover->thrust[static_cast<std::size_t>(i)];
     ideal += figureOfMerit(t, 1, f.flight.radius(i), f.flight.density());
     thrust += t;
   }
   g.add("speed", "Rotor speed", "\u03a9_h", mean, "rad/s", "rpm",
-        "thrusts balance weight and moments", spread);
-  g.add("throttle", "Throttle", "d_h", or_(f.demand.voltage.maxCoeff() / f.bus), "1", "%",
+        "thrusts balance weight and moments")
+      .note = spread;
+  g.add("throttle", "Throttle", "d_h", orNone(f.demand.voltage.maxCoeff() / f.bus), "1", "%",
         "motor voltage over the supply's voltage under load, largest of all rotors");
-  g.add("current", "Current per motor", "i_h", or_(f.demand.current.mean()), "A", "A",
+  g.add("current", "Current per motor", "i_h", orNone(f.demand.current.mean()), "A", "A",
         "(Q + friction)/K_t");
-  g.add("totalCurrent", "Current from the supply", "I_h", or_(current), "A", "A",
+  g.add("totalCurrent", "Current from the supply", "I_h", orNone(current), "A", "A",
         "power over voltage under load");
-  g.add("voltage", "Voltage under load", "V_h", or_(f.bus), "V", "V",
+  g.add("voltage", "Voltage under load", "V_h", orNone(f.bus), "V", "V",
         "open-circuit voltage - R\u2080 I_h");
-  g.add("power", "Electrical power", "P_h", or_(f.demand.power), "W", "W", "V_h I_h");
-  g.add("shaftPower", "Shaft power", "P_s", or_(f.demand.shaftPower), "W", "W", "sum of Q \u03a9");
-  g.add("thrustPerPower", "Thrust per power", "T/P", or_(thrust / f.demand.power), "N/W", "gf/W",
+  g.add("power", "Electrical power", "P_h", orNone(f.demand.power), "W", "W", "V_h I_h");
+  g.add("shaftPower", "Shaft power", "P_s", orNone(f.demand.shaftPower), "W", "W",
+        "sum of Q \u03a9");
+  g.add("thrustPerPower", "Thrust per power", "T/P", orNone(thrust / f.demand.power), "N/W", "gf/W",
         "sum of thrusts over electrical power");
 
-  Group e(sheet, "efficiency", "Efficiency in hover");
-  e.add("battery", "Battery", "\u03b7_b", or_(f.bus / inner), "1", "%",
+  FigureGroup e(sheet, "efficiency", "Efficiency in hover");
+  e.add("battery", "Battery", "\u03b7_b", orNone(f.bus / inner), "1", "%",
         "voltage under load over open-circuit voltage");
-  e.add("esc", "Speed controllers", "\u03b7_esc", or_(f.demand.motorPower / f.demand.power), "1",
+  e.add("esc", "Speed controllers", "\u03b7_esc", orNone(f.demand.motorPower / f.demand.power), "1",
         "%", "power at the motors over power from the supply");
-  e.add("motor", "Motors", "\u03b7_m", or_(f.demand.shaftPower / f.demand.motorPower), "1", "%",
+  e.add("motor", "Motors", "\u03b7_m", orNone(f.demand.shaftPower / f.demand.motorPower), "1", "%",
         "shaft power over power at the motors");
-  e.add("propeller", "Propellers (figure of merit)", "FM", or_(ideal / f.demand.shaftPower), "1",
+  e.add("propeller", "Propellers (figure of merit)", "FM", orNone(ideal / f.demand.shaftPower), "1",
         "%", "sum of T^(3/2)/\u221a(2 \u03c1 A) over shaft power");
-  e.add("total", "All", "\u03b7", or_(ideal / f.demand.power * f.bus / inner), "1", "%",
+  e.add("total", "All", "\u03b7", orNone(ideal / f.demand.power * f.bus / inner), "1", "%",
         "ideal induced power over the power from the cells");
 }
 
@@ -172,23 +148,24 @@ Discharge flightUntilReserve(const Flown& f, const Trim& trim, ConstantLoad& loa
 }
 
 void addEndurance(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "endurance", "Endurance");
+  FigureGroup g(sheet, "endurance", "Endurance");
   const char* formula =
       "discharge at constant power with open-circuit voltage, resistance and polarisation";
   if (!f.hover || f.margin.value < 0) {
-    g.add("hover", "Hover", "t_h", kNone, "s", "min", formula, "the vehicle cannot hover");
+    g.add("hover", "Hover", "t_h", kNoFigure, "s", "min", formula).note =
+        "the vehicle cannot hover";
     return;
   }
   ConstantLoad load;
   const Discharge run = flightUntilReserve(f, *f.hover, load);
   const bool endless = run.end == DischargeEnd::Never;
   const Sentence reason = reasonOf(run.end, f.flight.supply(), load);
-  g.add("hover", "Hover", "t_h", endless ? kNone : run.time, "s", "min", formula,
-        endless ? reason : "ends when " + reason);
+  g.add("hover", "Hover", "t_h", endless ? kNoFigure : run.time, "s", "min", formula).note =
+      endless ? reason : "ends when " + reason;
 }
 
 void addPayload(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "payload", "Payload");
+  FigureGroup g(sheet, "payload", "Payload");
   const double throttle = f.settings.payloadThrottle;
   const double own = f.flight.mass();
   FlightLimit limit = FlightLimit::NoTrim;
@@ -203,8 +180,8 @@ void addPayload(FigureSheet& sheet, const Flown& f) {
   const char* formula = "mass at the centre of mass with which it hovers at the throttle allowed";
   const double now = margin(own);
   if (!(now >= 0)) {
-    g.add("most", "Largest payload", "m_p", 0, "kg", "g", formula,
-          "none: the hover alone is " + limitSentence(limit, f, throttle));
+    g.add("most", "Largest payload", "m_p", 0, "kg", "g", formula).note =
+        "none: the hover alone is " + limitSentence(limit, f, throttle);
     return;
   }
   double high = 2 * own;
@@ -212,21 +189,22 @@ void addPayload(FigureSheet& sheet, const Flown& f) {
   const double top = margin(high);
   const double most = top >= 0 ? high : bracketedRoot(margin, own, now, high, top, 1e-9 * own);
   margin(most * (1 + 1e-6));
-  g.add("most", "Largest payload", "m_p", most - own, "kg", "g", formula,
-        limitSentence(limit, f, throttle));
+  g.add("most", "Largest payload", "m_p", most - own, "kg", "g", formula).note =
+      limitSentence(limit, f, throttle);
 }
 
 void addLevelFlight(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "level", "Level flight");
+  FigureGroup g(sheet, "level", "Level flight");
   const char* fastest = "largest speed with a balance of force and moment inside the limits";
   if (!f.hover ||
       marginOf(f.flight, *f.hover, f.settings.speedThrottle, f.settings.tiltLimit).value < 0) {
-    g.add("speed", "Fastest", "v_max", kNone, "m/s", "m/s", fastest, "the vehicle cannot hover");
+    g.add("speed", "Fastest", "v_max", kNoFigure, "m/s", "m/s", fastest).note =
+        "the vehicle cannot hover";
     return;
   }
   const LevelFlight level = levelFlight(f.flight, *f.hover, f.settings);
-  g.add("speed", "Fastest", "v_max", level.fastest.speed, "m/s", "m/s", fastest,
-        limitSentence(level.limit, f, f.settings.speedThrottle));
+  g.add("speed", "Fastest", "v_max", level.fastest.speed, "m/s", "m/s", fastest).note =
+      limitSentence(level.limit, f, f.settings.speedThrottle);
   g.add("tilt", "Tilt", "\u03b8", level.fastest.tilt(), "rad", "deg", "of the fastest flight");
   g.add("power", "Electrical power", "P", f.flight.demand(level.fastest).power, "W", "W",
         "of the fastest flight");
@@ -235,17 +213,17 @@ void addLevelFlight(FigureSheet& sheet, const Flown& f) {
   const bool endless = run.end == DischargeEnd::Never;
   const Sentence reason = reasonOf(run.end, f.flight.supply(), load);
   g.add("bestSpeed", "Speed of longest range", "v_r", level.farthest.speed, "m/s", "m/s",
-        "least electrical power per speed",
-        level.farthest.speed >= level.fastest.speed * (1 - 1e-6)
-            ? "power per speed still falls at the fastest flight"
-            : Sentence());
-  g.add("range", "Range in still air", "s_r", endless ? kNone : run.time * level.farthest.speed,
-        "m", "km", "that speed times the time the battery lasts",
-        endless ? reason : "ends when " + reason);
+        "least electrical power per speed")
+      .note = level.farthest.speed >= level.fastest.speed * (1 - 1e-6)
+                  ? "power per speed still falls at the fastest flight"
+                  : Sentence();
+  g.add("range", "Range in still air", "s_r", endless ? kNoFigure : run.time * level.farthest.speed,
+        "m", "km", "that speed times the time the battery lasts")
+      .note = endless ? reason : "ends when " + reason;
 }
 
 void addCeiling(FigureSheet& sheet, const Flown& f) {
-  Group g(sheet, "ceiling", "Ceiling");
+  FigureGroup g(sheet, "ceiling", "Ceiling");
   const char* formula =
       "altitude in the standard atmosphere in whose air the hover reaches the throttle allowed";
   FlightLimit limit = FlightLimit::NoTrim;
@@ -260,20 +238,20 @@ void addCeiling(FigureSheet& sheet, const Flown& f) {
   };
   const double here = margin(kSeaLevelDensity), least = standardDensity(kTropopause);
   if (!(here >= 0)) {
-    g.add("hover", "Hover ceiling", "h_max", kNone, "m", "m", formula,
-          "it cannot hover in the standard atmosphere at sea level");
+    g.add("hover", "Hover ceiling", "h_max", kNoFigure, "m", "m", formula).note =
+        "it cannot hover in the standard atmosphere at sea level";
     return;
   }
   const double thin = margin(least);
   if (thin >= 0) {
-    g.add("hover", "Hover ceiling", "h_max", kTropopause, "m", "m", formula,
-          "at least this; the formula of the atmosphere ends here");
+    g.add("hover", "Hover ceiling", "h_max", kTropopause, "m", "m", formula).note =
+        "at least this; the formula of the atmosphere ends here";
     return;
   }
   const double density = bracketedRoot(margin, least, thin, kSeaLevelDensity, here, 1e-9);
   margin(density * (1 - 1e-6));
-  g.add("hover", "Hover ceiling", "h_max", standardAltitude(density), "m", "m", formula,
-        limitSentence(limit, f, f.settings.speedThrottle));
+  g.add("hover", "Hover ceiling", "h_max", standardAltitude(density), "m", "m", formula).note =
+      limitSentence(limit, f, f.settings.speedThrottle);
 }
 
 void addWarnings(FigureSheet& sheet, const Flown& f) {
@@ -287,7 +265,7 @@ void addWarnings(FigureSheet& sheet, const Flown& f) {
                              Sentence::number(f.full.thrust / f.flight.weight()) +
                              " of the weight; little is left for control and gusts.");
   }
-  const double merit = f.hover ? sheet.at("efficiency.propeller").value : kNone;
+  const double merit = f.hover ? sheet.at("efficiency.propeller").value : kNoFigure;
   if (merit > 1) {
     sheet.warnings.push_back(
         "The propellers would have a figure of merit of " + Sentence::number(merit) +

@@ -13,7 +13,7 @@ namespace {
 constexpr int kNewtonSteps = 30;
 constexpr double kConverged = 1e-9;   // accelerations over g
 constexpr double kDifference = 1e-6;  // of the scaled unknowns
-constexpr int kSpeedPoints = 64;
+constexpr int kTrimSpeeds = 64;
 
 }  // namespace
 
@@ -23,10 +23,10 @@ double Trim::tilt() const {
 
 SteadyFlight::SteadyFlight(const VehicleParameters& vehicle,
                            const EnvironmentParameters& environment)
-    : constants_(buildMultirotor<kSheetRotors>(vehicle, environment)), supply_(vehicle.supply) {
-  const auto rotors = rotorsOf(vehicle, kSheetRotors);
+    : constants_(buildMultirotor<kVehicleRotors>(vehicle, environment)), supply_(vehicle.supply) {
+  const auto rotors = rotorsOf(vehicle, kVehicleRotors);
   arm_ = 0;
-  for (std::size_t i = 0; i < kSheetRotors; ++i) {
+  for (std::size_t i = 0; i < kVehicleRotors; ++i) {
     motors_[i] = rotors[i].rotor.motor;
     escs_[i] = rotors[i].rotor.esc;
     currentLimits_[i] = std::min(motors_[i].maxCurrent, escs_[i].maxCurrent);
@@ -104,7 +104,7 @@ std::optional<Trim> SteadyFlight::hover() const {
     start.rotors = Vehicle(constants_).hoverSpeeds();
   } catch (const InputError&) {
     // Tilted rotors may still hold it at an angle: Newton's method looks from equal speeds on.
-    start.rotors.setConstant(std::sqrt(weight() / kSheetRotors /
+    start.rotors.setConstant(std::sqrt(weight() / kVehicleRotors /
                                        std::max(1e-12, staticLoad(0, 1000).thrust.at(1000.0))));
   }
   return trim(0, start);
@@ -112,7 +112,7 @@ std::optional<Trim> SteadyFlight::hover() const {
 
 DriveDemand SteadyFlight::demand(const Trim& trim) const {
   DriveDemand d;
-  for (int i = 0; i < kSheetRotors; ++i) {
+  for (int i = 0; i < kVehicleRotors; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const MotorConstants& motor = constants_.hubs[k].motor;
     const double w = trim.rotors[i];
@@ -130,9 +130,9 @@ DriveDemand SteadyFlight::demand(const Trim& trim) const {
 /// one speed.
 ShaftLoad SteadyFlight::staticLoad(std::size_t rotor, double topSpeed) const {
   ShaftLoad load;
-  load.quadratic = load.thrust = {topSpeed / kSpeedPoints, {}};
-  for (int k = 0; k <= kSpeedPoints; ++k) {
-    const double w = topSpeed * std::max(k, 1) / kSpeedPoints;
+  load.quadratic = load.thrust = {topSpeed / kTrimSpeeds, {}};
+  for (int k = 0; k <= kTrimSpeeds; ++k) {
+    const double w = topSpeed * std::max(k, 1) / kTrimSpeeds;
     Unknowns x = Unknowns::Zero();
     x.head<4>().setConstant(w / scale_);
     const Evaluated at = evaluate(x, 0);
@@ -144,15 +144,15 @@ ShaftLoad SteadyFlight::staticLoad(std::size_t rotor, double topSpeed) const {
 
 FullThrottle SteadyFlight::fullThrottle() const {
   const double inner = supply_.openCircuit(supply_.charge);
-  std::array<ShaftLoad, kSheetRotors> loads;
-  for (std::size_t i = 0; i < kSheetRotors; ++i) {
+  std::array<ShaftLoad, kVehicleRotors> loads;
+  for (std::size_t i = 0; i < kVehicleRotors; ++i) {
     loads[i] = staticLoad(i, inner * motors_[i].speedConstant);
   }
   const auto at = [&](double bus) {
     FullThrottle f;
     f.busVoltage = bus;
     f.openCircuit = inner;
-    for (int i = 0; i < kSheetRotors; ++i) {
+    for (int i = 0; i < kVehicleRotors; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const DriveTrain train({.supply = SupplyParameters{bus, 0},
                               .esc = escs_[k],

@@ -13,13 +13,11 @@
 
 namespace rotorbench {
 
-inline constexpr int kSheetRotors = 4;
-
 struct Trim {
-  double speed = 0;                                     ///< m/s, level
-  Eigen::Vector4d rotors;                               ///< rad/s
-  double roll = 0, pitch = 0;                           ///< rad
-  std::array<double, kSheetRotors> thrust{}, torque{};  ///< N, N m
+  double speed = 0;                                       ///< m/s, level
+  Eigen::Vector4d rotors;                                 ///< rad/s
+  double roll = 0, pitch = 0;                             ///< rad
+  std::array<double, kVehicleRotors> thrust{}, torque{};  ///< N, N m
   double residual =
       0;  ///< largest acceleration left, m/s^2, and moment over weight and arm times g
   /// Angle between the vehicle's vertical and the world's, rad.
@@ -71,21 +69,21 @@ class SteadyFlight {
   [[nodiscard]] double radius(int rotor) const { return radii_[static_cast<std::size_t>(rotor)]; }
 
  private:
-  using Vehicle = Multirotor<kSheetRotors, RotorDrive::PrescribedSpeeds>;
+  using Vehicle = Multirotor<kVehicleRotors, RotorDrive::PrescribedSpeeds>;
   using Unknowns = Eigen::Matrix<double, 6, 1>;  // rotor speeds over the hover's, roll, pitch
 
   struct Evaluated {
     Unknowns residual;
-    MultirotorForces<kSheetRotors> forces;
+    MultirotorForces<kVehicleRotors> forces;
   };
   [[nodiscard]] Evaluated evaluate(const Unknowns& x, double speed) const;
   [[nodiscard]] ShaftLoad staticLoad(std::size_t rotor, double topSpeed) const;
 
-  MultirotorConstants<kSheetRotors> constants_;
+  MultirotorConstants<kVehicleRotors> constants_;
   Supply supply_;
-  std::array<EscParameters, kSheetRotors> escs_;
-  std::array<MotorParameters, kSheetRotors> motors_;
-  std::array<double, kSheetRotors> currentLimits_{}, radii_{};
+  std::array<EscParameters, kVehicleRotors> escs_;
+  std::array<MotorParameters, kVehicleRotors> motors_;
+  std::array<double, kVehicleRotors> currentLimits_{}, radii_{};
   double scale_ = 1;  ///< rad/s: of rotor speeds
   double arm_ = 1;    ///< m: of moments
 };

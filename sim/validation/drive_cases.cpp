@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 #include <map>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/core/parallel.h"
 #include "sim/fitting/doubt.h"
 #include "sim/io/csv.h"
@@ -19,8 +19,6 @@ namespace rotorbench::validation {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr double kRpm = std::numbers::pi / 30;
 
 double magnitudeApart(double model, double measured) {
   return 100 * std::abs(model / measured - 1);

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/core/parallel.h"
 #include "sim/propulsion/rotor/propeller_map.h"
 #include "sim/validation/cases.h"
@@ -15,7 +15,6 @@ namespace rotorbench::validation {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kReference = 0.75;  // r/R of the air speed
 
 struct MapScore {
@@ -30,7 +29,7 @@ struct MapScore {
 /// Directions from straight descent to straight climb, off the map's grid, at five air speeds and
 /// in thin air.
 void compare(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& score) {
-  constexpr double kDegree = kPi / 180, kEnd = 89.9, kStep = 0.37;
+  constexpr double kEnd = 89.9, kStep = 0.37;
   const AirState air{1.1, 1.9e-5};
   for (double chi = -kEnd; chi <= kEnd; chi += kStep) {
     double thrust = 0, torque = 0;
@@ -52,7 +51,7 @@ void compare(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& 
 
 /// Edgewise flow: directions and side angles off the map's grid, three air speeds.
 void compareEdgewise(const BladeElementRotor& rotor, const PropellerMap& map, MapScore& score) {
-  constexpr double kDegree = kPi / 180, kDirections = 5.3, kSides = 3.7;
+  constexpr double kDirections = 5.3, kSides = 3.7;
   const AirState air{1.1, 1.9e-5};
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   for (double side = 0.4; side < 90; side += kSides) {

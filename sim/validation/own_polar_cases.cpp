@@ -2,8 +2,8 @@
 // coefficients, and a large multirotor propeller whose curve is predicted, for users to compare
 // their own measurements with.
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/core/error.h"
 #include "sim/io/csv.h"
 #include "sim/validation/cases.h"
@@ -17,7 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRpm = std::numbers::pi / 30;
 /// Of the authors who published both data sets; see SOURCE.txt beside them.
 constexpr AirState kAir{1.225, 1.81e-5};
 

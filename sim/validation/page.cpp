@@ -53,7 +53,7 @@ std::string shown(double value) {
   return fixed(value, std::abs(value) < 0.1 ? 3 : 2);
 }
 
-std::string outcome(const Figure& figure) {
+std::string outcome(const ComparedFigure& figure) {
   if (!figure.limit) return "<td class=\"soft\">reported</td>";
   return figure.passed() ? "<td class=\"good\">\u2713 holds</td>"
                          : "<td class=\"bad\">\u2717 missed</td>";
@@ -61,7 +61,7 @@ std::string outcome(const Figure& figure) {
 
 std::string figureRows(const CaseResult& result) {
   std::string html;
-  for (const Figure& f : result.figures) {
+  for (const ComparedFigure& f : result.figures) {
     html += "<tr><td>" + escapedMarkup(f.metric) + "</td><td>" + shown(f.value) + "</td><td>" +
             (f.limit ? numberText(*f.limit) : "") + "</td><td>" +
             escapedMarkup(f.unit == "1" ? "" : f.unit) + "</td>" + outcome(f) + "</tr>\n";
@@ -88,7 +88,7 @@ std::string section(const CaseResult& result) {
   std::string html = "<h2 id=\"" + escapedMarkup(result.key) + "\">" + escapedMarkup(result.title) +
                      "</h2>\n<p>" + escapedMarkup(result.method) + "</p>\n";
   html +=
-      "<div class=\"scroll\"><table><thead><tr><th>Figure</th><th>Value</th><th>Limit</th>"
+      "<div class=\"scroll\"><table><thead><tr><th>ComparedFigure</th><th>Value</th><th>Limit</th>"
       "<th>Unit</th><th></th></tr></thead><tbody>\n" +
       figureRows(result) + "</tbody></table></div>\n";
   if (!result.verdict.empty()) html += "<p>" + escapedMarkup(result.verdict) + "</p>\n";
@@ -106,7 +106,7 @@ std::string section(const CaseResult& result) {
 
 std::size_t limitsOf(const CaseResult& result, bool onlyMissed) {
   std::size_t count = 0;
-  for (const Figure& f : result.figures) {
+  for (const ComparedFigure& f : result.figures) {
     if (f.limit && !(onlyMissed && f.passed())) ++count;
   }
   return count;
@@ -144,7 +144,7 @@ nlohmann::ordered_json chartJson(const SvgChart& chart) {
 
 nlohmann::ordered_json caseJson(const CaseResult& result) {
   nlohmann::ordered_json figures = nlohmann::ordered_json::array();
-  for (const Figure& f : result.figures) {
+  for (const ComparedFigure& f : result.figures) {
     nlohmann::ordered_json figure{{"metric", f.metric}, {"unit", f.unit}, {"value", f.value}};
     figure["limit"] = f.limit ? nlohmann::ordered_json(*f.limit) : nlohmann::ordered_json();
     figure["passed"] = f.passed();
@@ -201,7 +201,7 @@ std::string resultsJson(const std::vector<CaseResult>& results) {
 std::string resultsCsv(const std::vector<CaseResult>& results) {
   std::string csv = "case,metric,unit,value,limit,passed\n";
   for (const CaseResult& r : results) {
-    for (const Figure& f : r.figures) {
+    for (const ComparedFigure& f : r.figures) {
       csv += r.key + ',' + csvText(f.metric) + ',' + csvText(f.unit) + ',' + numberText(f.value) +
              ',' + (f.limit ? numberText(*f.limit) : "") + ',' + (f.passed() ? "1" : "0") + '\n';
     }
@@ -213,7 +213,7 @@ std::string resultsText(const std::vector<CaseResult>& results) {
   std::string text;
   for (const CaseResult& r : results) {
     text += r.title + '\n';
-    for (const Figure& f : r.figures) {
+    for (const ComparedFigure& f : r.figures) {
       const std::string unit = f.unit == "1" ? "" : " " + f.unit;
       text += std::string("  ") +
               (!f.limit     ? "      "

@@ -69,8 +69,8 @@ std::vector<double> errors(const std::vector<ScoredSet>& sets, const Judged& jud
   return all;
 }
 
-std::vector<Figure> figures(const std::vector<ScoredSet>& sets, const Limits& limits) {
-  std::vector<Figure> result;
+std::vector<ComparedFigure> figures(const std::vector<ScoredSet>& sets, const Limits& limits) {
+  std::vector<ComparedFigure> result;
   for (std::size_t i = 0; i < kJudged.size(); ++i) {
     const std::vector<double> all = errors(sets, kJudged.at(i));
     const auto& limit = limits.at(i);

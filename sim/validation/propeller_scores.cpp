@@ -1,8 +1,8 @@
 #include "sim/validation/propeller_scores.h"
 
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/numerics/bracketed_root.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 #include "sim/validation/statistics.h"
@@ -10,8 +10,6 @@
 namespace rotorbench::validation {
 
 namespace {
-
-constexpr double kTurn = 2 * std::numbers::pi;
 
 /// Static coefficients at a speed, linear between the measured ones, the ends beyond them.
 Coefficients stillAt(const PropellerSet& set, double speed) {
@@ -94,7 +92,7 @@ PropellerScore scoreOf(const PropellerSet& set, const BladeElementRotor& rotor) 
 }
 
 double fittedTwistOffset(const PropellerSet& set) {
-  constexpr double kDegree = std::numbers::pi / 180, kMost = 12 * kDegree, kCoarse = 2 * kDegree;
+  constexpr double kMost = 12 * kDegree, kCoarse = 2 * kDegree;
   PropellerGeometry geometry = set.geometry;
   const auto error = [&](double offset) {
     geometry.twistOffset = offset;

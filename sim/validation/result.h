@@ -12,7 +12,7 @@
 namespace rotorbench::validation {
 
 /// A figure and the most it may be; without a limit it is only reported.
-struct Figure {
+struct ComparedFigure {
   std::string metric;
   std::string unit;  ///< "%", "points" of efficiency in percent, "1"
   double value = 0;
@@ -35,12 +35,12 @@ struct CaseResult {
   std::string method;   ///< what was computed, against what, and what was fitted
   std::string verdict;  ///< why it is worse where it is; empty if there is nothing to say
   std::vector<std::string> sources;
-  std::vector<Figure> figures;
+  std::vector<ComparedFigure> figures;
   std::vector<Table> tables;
   std::vector<SvgChart> charts;
 
   [[nodiscard]] bool passed() const {
-    for (const Figure& figure : figures) {
+    for (const ComparedFigure& figure : figures) {
       if (!figure.passed()) return false;
     }
     return true;

@@ -1,10 +1,11 @@
 // Battery voltage, speed controller, motor and blade-element propeller together against the log of
 // a thrust stand.
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/core/error.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/thrust_stand.h"
 #include "sim/io/csv.h"
 #include "sim/numerics/bracketed_root.h"
 #include "sim/run/drive_build.h"
@@ -14,8 +15,6 @@
 namespace rotorbench::validation {
 
 namespace {
-
-constexpr double kRpm = std::numbers::pi / 30;
 
 struct Step {
   double signal, voltage, current, speed, thrust;  // s, V, A, rad/s, N
@@ -107,7 +106,7 @@ Sweep sweep(Stand& stand, const std::vector<Step>& steps) {
 CaseResult thrustStand(const std::filesystem::path& resources) {
   const Experiment experiment =
       loadExperiment(resources / "experiments" / "thrust-stand-x2216.json");
-  const auto* bench = std::get_if<ThrustStand>(&experiment.setup);
+  const auto* bench = alternativeIf<ThrustStand>(experiment.setup);
   if (bench == nullptr) {
     throw InputError("thrust-stand-x2216.json", {{"setup", "is not a thrust stand", {}}});
   }

@@ -13,6 +13,9 @@
 
 namespace rotorbench {
 
+/// The only number of rotors a vehicle can have so far.
+inline constexpr int kVehicleRotors = 4;
+
 /// All rotors alike.
 struct EqualRotors {
   RotorParameters rotor;
@@ -21,7 +24,7 @@ struct EqualRotors {
 
 /// Each rotor its own, in the order of their numbers.
 struct IndividualRotors {
-  std::vector<RotorParameters> rotors = std::vector<RotorParameters>(4);
+  std::vector<RotorParameters> rotors = std::vector<RotorParameters>(kVehicleRotors);
   bool operator==(const IndividualRotors&) const = default;
 };
 

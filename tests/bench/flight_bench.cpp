@@ -5,7 +5,9 @@
 #include "sim/control/control_model.h"
 #include "sim/control/pid_flight.h"
 #include "sim/control/speed_controllers.h"
+#include "sim/document/controlled_inputs.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "sim/run/plant_handle.h"
 #include "sim/run/scheduler.h"
 #include "sim/run/simulation.h"
@@ -51,7 +53,7 @@ BENCHMARK(flyHardlyRecording)->Unit(benchmark::kMillisecond)->MinTime(1);
 
 /// The floor: one derivative of the same vehicle; a tick cannot cost less than four.
 void derivative(benchmark::State& state) {
-  const auto& flight = std::get<Flight>(flagship().setup);
+  const auto& flight = alternative<Flight>(flagship().setup);
   using Plant = Multirotor<4>;
   Plant plant(buildMultirotor<4>(flight.vehicle, flight.environment));
   Plant::State y = plant.initialState(flight.start), dydt;
@@ -67,15 +69,16 @@ BENCHMARK(derivative);
 /// All of a tick but the integration, recording and derivative included: what the tasks cost.
 void controllerTick(benchmark::State& state) {
   Experiment experiment = flagship();
-  auto& flight = std::get<Flight>(experiment.setup);
-  const auto& pid = std::get<PidControl>(flight.control).controller;
+  auto& flight = alternative<Flight>(experiment.setup);
+  const auto& inputs = alternative<ControlledInputs>(flight.control);
   const ControlModel model = controlModel(flight.vehicle, flight.environment, {});
   const auto plant = makePlant(flight, RotorDrive::Motors, {});
   std::vector<std::unique_ptr<Task>> tasks;
   tasks.push_back(makeSensors(flight.sensors, 1));
   tasks.push_back(std::make_unique<TrueState>());
-  tasks.push_back(std::make_unique<PidFlight>(pid, model, Timing{2}));
-  tasks.push_back(std::make_unique<SpeedControllers>(pid.motors, model, Timing{}));
+  tasks.push_back(std::make_unique<PidFlight>(std::get<PidFlightParameters>(inputs.controller),
+                                              model, Timing{2}));
+  tasks.push_back(std::make_unique<SpeedControllers>(inputs.motors, model, Timing{}));
   Scheduler scheduler(std::move(tasks), Signal::Truth | Signal::SetPoint);
   std::vector<double> row(scheduler.channels().size());
   Board board;

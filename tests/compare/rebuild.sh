@@ -1,7 +1,6 @@
 #!/usr/bin/env bash
-# What a change of a header in sim/ costs: how many object files of sim, ui and app (not of the
-# tests) the build compiles again, by the dependencies that the compiler reported to Ninja. Builds
-# what is missing first.
+# What a change of a header in sim/ costs: how many sources of sim, ui and app (not of the tests) are
+# compiled again for it. A unity build compiles whole batches; these are the sources that ask for it.
 # Usage: bash tests/compare/rebuild.sh [--commit COMMIT] [HEADER...]
 #        bash tests/compare/rebuild.sh [--commit COMMIT] --clean
 #   HEADER    only these, for example sim/control/pid.h; the forty most expensive ones if left out
@@ -54,8 +53,8 @@ clean_build() {
   local folder=$root/build/compare/clean program bytes
   local -a took
   rm -rf "$folder"
-  quietly "$folder.configure.log" cmake -S "$tree" -B "$folder" -G Ninja \
-    -DCMAKE_BUILD_TYPE=Release -DROTORBENCH_BUILD_TESTS=OFF -DCCACHE_PROGRAM=OFF
+  (cd "$tree" && quietly "$folder.configure.log" cmake --preset release -B "$folder" \
+    -DROTORBENCH_BUILD_TESTS=OFF -DCCACHE_PROGRAM=OFF)
   local TIMEFORMAT='%U %S %R'
   # Seconds of every compiler and linker, which Ninja waits for.
   {
@@ -67,7 +66,6 @@ clean_build() {
   awk -v user="${took[0]}" -v kernel="${took[1]}" -v clock="${took[2]}" 'BEGIN {
     printf "  processor time %.0f s (user %.0f, system %.0f), %.0f s by the clock\n",
            user + kernel, user, kernel, clock}'
-  echo "  $(objects_of "$folder" | wc -l) object files"
   for program in "${programs[@]}"; do
     bytes=$(stat -c %s "$folder/app/$program")
     echo "  $(basename "$program"): $bytes bytes, of which code and data" \
@@ -76,69 +74,12 @@ clean_build() {
   rm -rf "$folder"
 }
 
-# objects_of BUILD: the object files that the build makes today; Ninja's log also remembers removed
-# ones.
-objects_of() {
-  sed -n 's/^ *"command": .* -o \([^ ]*\.o\) -c .*/\1/p' "$1/compile_commands.json" |
-    grep -E '^(sim|ui|app)/' | sort -u
-}
-
-# counts_of BUILD: a line `number header` for each header of sim/ that an object file depends on.
-# What a precompiled header includes is reported for it alone, but compiles again every object of
-# its target.
-counts_of() {
-  awk -v top="$tree/" '
-    function target_of(file) {
-      sub(/\.dir\/.*/, ".dir", file)
-      return file
-    }
-    function add(object, header) {
-      if (!((object, header) in seen)) ++count[header]
-      seen[object, header] = 1
-    }
-    NR == FNR {current[$0] = target_of($0); next}
-    /^[^ ]/ {object = $1; sub(/:$/, "", object); next}
-    NF {
-      header = $1
-      if (index(header, top) == 1) header = substr(header, length(top) + 1)
-      sub(/^(\.\.\/)+/, "", header)
-      if (header !~ /^sim\/.*\.h$/) next
-      if (object in current) add(object, header)
-      if (object ~ /\/cmake_pch\.hxx\.gch$/) {
-        target = target_of(object)
-        precompiled[target] = precompiled[target] " " header
-      }
-    }
-    END {
-      for (object in current) {
-        n = split(precompiled[current[object]], headers, " ")
-        for (i = 1; i <= n; ++i) add(object, headers[i])
-      }
-      for (header in count) print count[header], header
-    }' <(objects_of "$1") <(ninja -C "$1" -t deps)
-}
-
 if [[ $clean == yes ]]; then
   clean_build
   exit 0
 fi
 
-if [[ $tree == "$root" ]]; then
-  echo "building ${targets[*]} of the working tree" >&2
-  quietly "$root/build/compare/configure.log" configure
-  quietly "$root/build/compare/build.log" build_targets "${targets[@]}"
-else
-  build_tree "$tree" -DROTORBENCH_BUILD_UI=ON -- "${targets[@]}"
-  build_folder=$tree/build/release
-fi
-
-echo "object files of sim, ui and app that a change of the header compiles again," \
-     "of $(objects_of "$build_folder" | wc -l) in $what"
-if ((${#headers[@]} == 0)); then
-  counts_of "$build_folder" | sort -k1,1nr -k2 | awk 'NR <= 40 {printf "%6d  %s\n", $1, $2}'
-else
-  counts=$(counts_of "$build_folder")
-  for header in "${headers[@]}"; do
-    awk -v header="$header" '$2 == header {n = $1} END {printf "%6d  %s\n", n, header}' <<<"$counts"
-  done
-fi
+counts=$(python3 "$root/tests/compare/include_counts.py" "$tree" "${headers[@]}")
+echo "sources of sim, ui and app that a change of the header compiles again," \
+     "of $(head -n 1 <<<"$counts") in $what"
+tail -n +2 <<<"$counts" | awk 'NR <= 40 {printf "%6d  %s\n", $1, $2}'

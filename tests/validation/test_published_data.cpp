@@ -33,7 +33,7 @@ const CaseResult* find(const QString& key) {
 /// NaN if there is no such figure.
 double value(const QString& key, const QString& metric) {
   if (const CaseResult* result = find(key)) {
-    for (const Figure& f : result->figures) {
+    for (const ComparedFigure& f : result->figures) {
       if (f.metric == metric.toStdString()) return f.value;
     }
   }
@@ -109,7 +109,7 @@ void TestPublishedData::limits() {
 void TestPublishedData::everyLimitIsListedHere() {
   std::size_t count = 0;
   for (const CaseResult& r : results()) {
-    for (const Figure& f : r.figures) count += f.limit ? 1 : 0;
+    for (const ComparedFigure& f : r.figures) count += f.limit ? 1 : 0;
   }
   QCOMPARE(count, std::size_t(37));
 }
@@ -134,14 +134,14 @@ void TestPublishedData::casesSayWhatTheyDid() {
   for (const CaseResult& r : results()) {
     QVERIFY2(!r.method.empty() && !r.sources.empty(), r.key.c_str());
     QVERIFY2(!r.figures.empty() && !r.charts.empty(), r.key.c_str());
-    for (const Figure& f : r.figures) QVERIFY2(std::isfinite(f.value), f.metric.c_str());
+    for (const ComparedFigure& f : r.figures) QVERIFY2(std::isfinite(f.value), f.metric.c_str());
     for (const Table& t : r.tables) {
       QVERIFY2(!t.rows.empty(), t.title.c_str());
       for (const auto& row : t.rows) QCOMPARE(row.size(), t.header.size());
     }
     // Fitted cases that miss no limit but have none say why they are as they are.
     bool limited = false;
-    for (const Figure& f : r.figures) limited = limited || f.limit.has_value();
+    for (const ComparedFigure& f : r.figures) limited = limited || f.limit.has_value();
     QVERIFY2(limited || !r.verdict.empty(), r.key.c_str());
   }
 }
@@ -152,7 +152,7 @@ void TestPublishedData::reportHoldsEveryFigure() {
   qsizetype figures = 0;
   for (const CaseResult& r : results()) {
     QVERIFY(page.contains(QString("id=\"%1\"").arg(r.key.c_str())));
-    for (const Figure& f : r.figures) {
+    for (const ComparedFigure& f : r.figures) {
       QVERIFY2(page.contains(QString::fromStdString(f.metric)), f.metric.c_str());
       ++figures;
     }

@@ -8,6 +8,8 @@
 #include <sstream>
 
 #include "sim/core/schema_tree.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/document/resources.h"
 #include "sim/io/csv.h"
 #include "sim/io/file.h"
@@ -96,9 +98,9 @@ class TestShippedExperiments : public QObject {
   /// controller.
   void flagshipHoversStill() {
     Experiment experiment = shipped("f450-hover-and-steps");
-    auto& flight = std::get<Flight>(experiment.setup);
+    auto& flight = alternative<Flight>(experiment.setup);
     flight.duration = 5;
-    std::get<PidControl>(flight.control).setPoints = {{0, 0, 0, 0, 0}};
+    alternative<ControlledInputs>(flight.control).setPoints = {{0, 0, 0, 0, 0}};
     const auto simulation = runToEnd(experiment);
     const Recording& r = *simulation->runs().front().recording;
     for (const char* channel :
@@ -176,8 +178,8 @@ class TestShippedExperiments : public QObject {
   /// recording stays.
   void divergenceNamesTimeAndComponent() {
     Experiment experiment = shipped("f450-hover-and-steps");
-    std::get<Flight>(experiment.setup).solver.method = ode::Method::Euler;
-    std::get<EqualRotors>(std::get<Flight>(experiment.setup).vehicle.rotors)
+    alternative<Flight>(experiment.setup).solver.method = ode::Method::Euler;
+    std::get<EqualRotors>(alternative<Flight>(experiment.setup).vehicle.rotors)
         .rotor.motor.inductance = 1e-6;
     const auto simulation = runToEnd(experiment);
     QCOMPARE(simulation->state(), SimulationState::Failed);
@@ -208,7 +210,7 @@ class TestShippedExperiments : public QObject {
                         "time [s],r1 [rpm],r2 [rpm],r3 [rpm],r4 "
                         "[rpm]\n0,4480,4480,4480,4480\n1,4500,4500,4500,4500\n");
     Experiment experiment = shipped("hummingbird-open-loop");
-    auto& flight = std::get<Flight>(experiment.setup);
+    auto& flight = alternative<Flight>(experiment.setup);
     flight.duration = 1;
     flight.control =
         SpeedInputs{.source = CsvInputs<RotorSpeedQuantity>{"speeds.csv", Interpolation::Linear}};

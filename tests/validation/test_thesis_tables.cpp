@@ -4,6 +4,8 @@
 #include <QTest>
 #include <cmath>
 
+#include "sim/document/birotor_motion.h"
+#include "sim/document/solver_comparison.h"
 #include "tests/validation/run_experiment.h"
 
 using namespace rotorbench;
@@ -79,7 +81,7 @@ class TestThesisTables : public QObject {
     };
     QVERIFY(std::abs(lastRate(experiment) - expected(2 * 0.05 * 0.25 * 0.25)) < 1e-6);
     QVERIFY(std::abs(reached - thesis) < 1e-5);
-    std::get<RigidBarParameters>(std::get<SolverComparison>(experiment.setup).plant)
+    std::get<RigidBarParameters>(alternative<SolverComparison>(experiment.setup).plant)
         .angularDamping = BirotorDamping::Physical;
     QVERIFY(std::abs(lastRate(experiment) - expected(2 * 0.05 * 0.25)) < 1e-6);
     QVERIFY(std::abs(reached - physical) < 1e-5);
@@ -103,7 +105,7 @@ class TestThesisTables : public QObject {
 
     // The same bar with a tenth of the step stays below: the growth is the method's, not the bar's.
     Experiment fine = experiment;
-    std::get<BirotorMotion>(fine.setup).solver.step = 0.005;
+    alternative<BirotorMotion>(fine.setup).solver.step = 0.005;
     const auto steady = runToEnd(fine);
     const Recording& s = *steady->runs().front().recording;
     double longest = 0;

@@ -3,6 +3,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "sim/document/thrust_stand.h"
 #include "sim/run/drive_build.h"
 #include "tests/validation/run_experiment.h"
 
@@ -16,7 +17,7 @@ class TestThrustStand : public QObject {
   /// reaches the points that are solved directly.
   void solvedAndReachedAgree() {
     Experiment experiment = shipped("thrust-stand-x2216");
-    auto& bench = std::get<ThrustStand>(experiment.setup);
+    auto& bench = alternative<ThrustStand>(experiment.setup);
     auto& battery = std::get<BatteryParameters>(bench.stand.supply);
     battery.capacity = 1e7;
     battery.polarisationTime = 0.02;
@@ -31,7 +32,7 @@ class TestThrustStand : public QObject {
   /// give.
   void curveBetweenItsPoints() {
     Experiment experiment = shipped("thrust-stand-x2216");
-    const DriveStand& stand = std::get<ThrustStand>(experiment.setup).stand;
+    const DriveStand& stand = alternative<ThrustStand>(experiment.setup).stand;
     const auto& load = std::get<BladeElementLoad>(stand.load);
     const DriveTrain train = buildDriveTrain(stand);
     const BladeElementRotor rotor(load.propeller, load.settings);

@@ -8,7 +8,7 @@
 namespace rotorbench {
 namespace {
 
-constexpr qreal kSample = 32;
+constexpr qreal kSampleWidth = 32;
 constexpr qreal kSampleLine = 26;
 constexpr qreal kBetween = 18;
 constexpr qreal kMark = 3;  // radius
@@ -23,18 +23,18 @@ FigureLegend::FigureLegend(const ChartFrame& frame, const QFont& font, qreal wid
     if (curve.hidden) continue;
     Entry entry{curve.style,
                 curve.style.markers || curve.points.size() == 1,
-                wrappedText(curve.label, font, width - kSample),
+                wrappedText(curve.label, font, width - kSampleWidth),
                 {}};
     qreal nameWidth = 0;
     for (const QString& part : entry.lines)
       nameWidth = std::max(nameWidth, metrics.horizontalAdvance(part));
-    if (x > 0 && x + kSample + nameWidth > width) {
+    if (x > 0 && x + kSampleWidth + nameWidth > width) {
       x = 0;
       y += rowHeight;
       rowHeight = 0;
     }
     entry.at = {x, y + line / 2};
-    x += kSample + nameWidth + kBetween;
+    x += kSampleWidth + nameWidth + kBetween;
     rowHeight = std::max(rowHeight, line * static_cast<qreal>(entry.lines.size()));
     entries_.push_back(std::move(entry));
   }
@@ -55,7 +55,7 @@ void FigureLegend::paint(QPainter& painter, QPointF at, qreal lineWidth) const {
       painter.drawEllipse(left + QPointF(kSampleLine / 2, 0), kMark, kMark);
     }
     painter.setPen(theme.text);
-    QPointF baseline = left + QPointF(kSample, metrics.capHeight() / 2);
+    QPointF baseline = left + QPointF(kSampleWidth, metrics.capHeight() / 2);
     for (const QString& part : entry.lines) {
       painter.drawText(baseline, part);
       baseline.ry() += metrics.height();

@@ -16,7 +16,7 @@ const void* defaultChild(const schema::Field& field, const void* owner, const vo
       field.kind == Kind::Group ||
       (field.kind == Kind::Variant && field.chosen(owner) == field.chosen(defaultOwner)) ||
       (field.kind == Kind::List && field.count(owner) == field.count(defaultOwner));
-  if (sameShape) return field.child_(defaultOwner, index);
+  if (sameShape) return field.constChild(defaultOwner, index);
   made = field.childType(owner, index).make();
   return made.get();
 }
@@ -32,8 +32,8 @@ bool differsFromDefault(const schema::Field& field, const void* owner, const voi
     if (children != field.count(defaultOwner)) return true;
   }
   for (std::size_t i = 0; i < children; ++i) {
-    const schema::ConstRef child(&field.childType(owner, i), field.child_(owner, i));
-    if (differsFromDefault(child, field.child_(defaultOwner, i))) return true;
+    const schema::ConstRef child(&field.childType(owner, i), field.constChild(owner, i));
+    if (differsFromDefault(child, field.constChild(defaultOwner, i))) return true;
   }
   return false;
 }
@@ -54,7 +54,7 @@ bool DefaultsCursor::enter(const schema::Field& field, std::size_t index) {
   std::shared_ptr<void> made;
   defaultObject_ = defaultChild(field, object_.object, defaultObject_, index, made);
   if (made) kept_.push_back(std::move(made));
-  object_ = {&field.childType(object_.object, index), field.child_(object_.object, index)};
+  object_ = {&field.childType(object_.object, index), field.constChild(object_.object, index)};
   return true;
 }
 

@@ -74,7 +74,7 @@ std::optional<schema::ConstRef> DocumentModel::object(const QString& path) const
   const std::size_t index = at->element.value_or(0);
   if (at->field->kind == Kind::List && index >= at->field->count(at->owner)) return std::nullopt;
   return schema::ConstRef(&at->field->childType(at->owner, index),
-                          at->field->child_(at->owner, index));
+                          at->field->constChild(at->owner, index));
 }
 
 schema::Value DocumentModel::get(const QString& path) const {

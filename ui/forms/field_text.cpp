@@ -161,7 +161,8 @@ QString elementTitle(const schema::Field& list, const void* owner, std::size_t i
   for (const auto& field : type.fields) {
     if (field.kind != Kind::Text) continue;
     if (field.key != "name" && field.key != "title" && field.key != "label") continue;
-    const QString name = toQString(std::get<std::string>(field.read(list.child_(owner, index))));
+    const QString name =
+        toQString(std::get<std::string>(field.read(list.constChild(owner, index))));
     if (!name.trimmed().isEmpty()) return name.simplified();
   }
   const QString label = toQString(type.label.empty() ? list.label : type.label);

@@ -52,7 +52,7 @@ void addRows(schema::ConstRef object, const QString& prefix, const QLocale& loca
     if (field.kind == Kind::Group) {
       html += QStringLiteral("<tr><th colspan=\"7\" align=\"left\">%1</th></tr>\n")
                   .arg(escaped(field.label));
-      addRows({&field.childType(object.object, 0), field.child_(object.object, 0)},
+      addRows({&field.childType(object.object, 0), field.constChild(object.object, 0)},
               key + QLatin1Char('.'), locale, html);
       continue;
     }

@@ -238,7 +238,8 @@ void ParameterForm::addField(schema::ConstRef object, const schema::Field& field
     if (field.kind == Kind::Variant && here) row->makeHead();
   }
   if (field.isLeaf() || !here) return;
-  const schema::ConstRef child(&field.childType(object.object, 0), field.child_(object.object, 0));
+  const schema::ConstRef child(&field.childType(object.object, 0),
+                               field.constChild(object.object, 0));
   if (field.kind == Kind::Group) {
     addTitle(toQString(field.label), toQString(field.help.empty() ? child.type->help : field.help),
              path);

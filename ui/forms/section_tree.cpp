@@ -47,15 +47,15 @@ void collect(schema::ConstRef object, const QString& path, const QStringList& wo
     if (matches(field, words)) hit(place, field);
     if (field.isLeaf()) continue;
     if (field.kind != Kind::List) {
-      collect({&field.childType(object.object, 0), field.child_(object.object, 0)}, place, words,
-              hit);
+      collect({&field.childType(object.object, 0), field.constChild(object.object, 0)}, place,
+              words, hit);
     } else if (field.asTable) {
       for (const auto& column : field.childType(object.object, 0).fields) {
         if (matches(column, words)) hit(place, column);
       }
     } else {
       for (std::size_t i = 0; i < field.count(object.object); ++i) {
-        collect({&field.childType(object.object, i), field.child_(object.object, i)},
+        collect({&field.childType(object.object, i), field.constChild(object.object, i)},
                 elementPath(place, i), words, hit);
       }
     }

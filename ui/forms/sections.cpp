@@ -18,7 +18,7 @@ bool holdsList(schema::ConstRef object) {
   for (const auto& field : object.type->fields) {
     if (field.kind == Kind::List) return true;
     if (field.isLeaf()) continue;
-    if (holdsList({&field.childType(object.object, 0), field.child_(object.object, 0)}))
+    if (holdsList({&field.childType(object.object, 0), field.constChild(object.object, 0)}))
       return true;
   }
   return false;
@@ -32,8 +32,8 @@ void visitFields(schema::ConstRef object, const QString& path,
     if (!isInline(field, object.object)) {
       visit(fieldPath, toQString(field.label));
     } else if (field.kind != Kind::List) {
-      visitFields({&field.childType(object.object, 0), field.child_(object.object, 0)}, fieldPath,
-                  visit);
+      visitFields({&field.childType(object.object, 0), field.constChild(object.object, 0)},
+                  fieldPath, visit);
     }
   }
 }
@@ -46,7 +46,8 @@ std::size_t countLeaves(schema::ConstRef object) {
     if (field.isLeaf() || field.kind == Kind::List) {
       ++leaves;
     } else {
-      leaves += countLeaves({&field.childType(object.object, 0), field.child_(object.object, 0)});
+      leaves +=
+          countLeaves({&field.childType(object.object, 0), field.constChild(object.object, 0)});
     }
   }
   return leaves;
@@ -55,7 +56,7 @@ std::size_t countLeaves(schema::ConstRef object) {
 bool isInline(const schema::Field& field, const void* owner) {
   if (field.isLeaf()) return true;
   if (field.kind == Kind::List) return field.asTable;
-  const schema::ConstRef child(&field.childType(owner, 0), field.child_(owner, 0));
+  const schema::ConstRef child(&field.childType(owner, 0), field.constChild(owner, 0));
   return !holdsList(child) && countLeaves(child) <= kLargestInline;
 }
 
@@ -76,7 +77,7 @@ QString sectionOf(schema::ConstRef root, const QString& path) {
       if (index >= field->count(object.object)) return section;
       section = walked = elementPath(walked, index);
     }
-    object = {&field->childType(object.object, index), field->child_(object.object, index)};
+    object = {&field->childType(object.object, index), field->constChild(object.object, index)};
   }
   return section;
 }
@@ -101,7 +102,7 @@ void forEachSubsection(
     return;
   }
   const std::size_t index = at.element.value_or(0);
-  visitFields({&at.field->childType(at.owner, index), at.field->child_(at.owner, index)}, path,
+  visitFields({&at.field->childType(at.owner, index), at.field->constChild(at.owner, index)}, path,
               visit);
 }
 

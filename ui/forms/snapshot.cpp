@@ -19,7 +19,7 @@ FieldSnapshot capture(const schema::Field& field, const void* owner) {
   kept.children.reserve(children);
   for (std::size_t i = 0; i < children; ++i) {
     kept.children.push_back(
-        capture(schema::ConstRef(&field.childType(owner, i), field.child_(owner, i))));
+        capture(schema::ConstRef(&field.childType(owner, i), field.constChild(owner, i))));
   }
   return kept;
 }

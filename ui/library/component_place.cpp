@@ -71,7 +71,7 @@ std::optional<schema::ConstRef> ComponentPlace::current() const {
     if (way.option && at->field->chosen(at->owner) != *way.option) continue;
     if (way.member == nullptr) return object;
     return schema::ConstRef(&way.member->childType(object->object, 0),
-                            way.member->child_(object->object, 0));
+                            way.member->constChild(object->object, 0));
   }
   return std::nullopt;
 }

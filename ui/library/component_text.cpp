@@ -55,7 +55,7 @@ void addFields(QTreeWidgetItem* parent, schema::ConstRef object, const UnitPrefe
     item->setToolTip(0, toQString(field.help));
     item->setToolTip(1, value);
     if (field.isLeaf() || field.kind == Kind::List) continue;
-    addFields(item, {&field.childType(object.object, 0), field.child_(object.object, 0)}, units,
+    addFields(item, {&field.childType(object.object, 0), field.constChild(object.object, 0)}, units,
               locale);
   }
 }

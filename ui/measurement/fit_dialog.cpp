@@ -25,6 +25,7 @@
 #include "ui/forms/parameter_form.h"
 #include "ui/forms/plain_locale.h"
 #include "ui/library/save_component.h"
+#include "ui/measurement/table_cell.h"
 #include "ui/runs/run_colors.h"
 
 namespace rotorbench {
@@ -60,12 +61,6 @@ std::shared_ptr<const Recording> seriesOf(const FitProblem& problem, std::size_t
     table.columns[1].push_back(y / yFactor);
   }
   return recordingOf(table);
-}
-
-QTableWidgetItem* cell(const QString& text, bool number = true) {
-  auto* item = new QTableWidgetItem(text);
-  if (number) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  return item;
 }
 
 }  // namespace
@@ -304,7 +299,7 @@ void FitDialog::showResult() {
     const int row = table_->rowCount();
     table_->insertRow(row);
     for (int i = 0; i < texts.size(); ++i)
-      table_->setItem(row, i, cell(texts[i], i == 1 || i == 2));
+      table_->setItem(row, i, tableCell(texts[i], i == 1 || i == 2));
   };
   for (const FittedParameter& p : result.parameters) {
     FittedParameter before = p;

@@ -26,7 +26,7 @@ std::optional<Found> firstOf(schema::ConstRef root) {
   schema::walk(root, [&](const std::string& path, const schema::Field& field, const void* owner) {
     if (found || field.isLeaf() || field.kind == schema::Kind::List) return;
     if (&field.childType(owner, 0) != &schema::typeOf<T>()) return;
-    found = Found{toQString(path), field.child_(owner, 0)};
+    found = Found{toQString(path), field.constChild(owner, 0)};
   });
   return found;
 }

@@ -9,8 +9,8 @@
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/core/error.h"
 #include "sim/fitting/coefficient_points.h"
 #include "sim/library/component.h"
@@ -24,8 +24,6 @@
 namespace rotorbench {
 
 namespace {
-
-constexpr double kRpm = std::numbers::pi / 30;
 
 const schema::Field& diameterField() {
   return *schema::typeOf<MeasuredPropeller>().field("diameter");

@@ -17,6 +17,7 @@
 #include "sim/run/simulation.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/field_text.h"
+#include "ui/measurement/table_cell.h"
 #include "ui/runs/run_colors.h"
 
 namespace rotorbench {
@@ -39,12 +40,6 @@ bool isCommon(const Recording& measured, const Recording& computed, std::size_t 
   const Channel& y = measured.channels()[channel];
   const auto at = computed.find(y.name);
   return at && computed.channels()[*at].unit == y.unit;
-}
-
-QTableWidgetItem* cell(const QString& text, bool number) {
-  auto* item = new QTableWidgetItem(text);
-  if (number) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  return item;
 }
 
 }  // namespace
@@ -160,15 +155,15 @@ void ResidualsDialog::compare() {
       sentences << tr("%1: %2").arg(toQString(channel.name), toQString(s));
     const int row = table_->rowCount();
     table_->insertRow(row);
-    table_->setItem(row, 0, cell(toQString(channel.name), false));
+    table_->setItem(row, 0, tableCell(toQString(channel.name), false));
     table_->item(row, 0)->setData(Qt::UserRole, static_cast<int>(c));
-    table_->setItem(row, 1, cell(prettyUnit(toQString(channel.unit)), false));
-    table_->setItem(row, 2, cell(locale.toString(static_cast<int>(f.count)), true));
+    table_->setItem(row, 1, tableCell(prettyUnit(toQString(channel.unit)), false));
+    table_->setItem(row, 2, tableCell(locale.toString(static_cast<int>(f.count)), true));
     const std::array figures{f.rmse, f.mean, f.mostApart, f.rSquared};
     for (int i = 0; i < 4; ++i) {
       const double value = figures[static_cast<std::size_t>(i)];
       const bool has = f.count > 0 && std::isfinite(value);
-      table_->setItem(row, 3 + i, cell(has ? locale.toString(value, 'g', 4) : tr("–"), true));
+      table_->setItem(row, 3 + i, tableCell(has ? locale.toString(value, 'g', 4) : tr("–"), true));
     }
   }
   if (table_->rowCount() == 0) sentences << tr("The two have no other channel in common.");

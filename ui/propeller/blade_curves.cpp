@@ -5,7 +5,8 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 
@@ -14,7 +15,6 @@ namespace {
 constexpr double kReach = 12;                           // pixels within which a handle is meant
 constexpr double kChordStep = 0.002, kTwistStep = 0.1;  // c/R and degrees, by one key press
 constexpr int kTicks = 6;
-constexpr double kDegree = std::numbers::pi / 180;
 
 CurveStyle styleOf(BladeCurves::Quantity quantity) {
   // Blue and vermillion of Okabe and Ito.

@@ -4,8 +4,8 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <array>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/form_style.h"
@@ -14,7 +14,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kRpm = 2 * std::numbers::pi / 60;
 constexpr double kStep = 0.02;                             // of the advance ratio
 constexpr double kFirstSpeed = 5000, kMostSpeed = 100000;  // rpm
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr double kFov = 34.0 * kDegree;
 constexpr double kFlattest = -85.0 * kDegree;
 constexpr double kSteepest = 88.0 * kDegree;
@@ -71,7 +71,7 @@ void SceneCamera::reset(double radius, bool planar) {
 }
 
 void SceneCamera::turn(double azimuth, double elevation) {
-  place().azimuth = std::remainder(place().azimuth + azimuth, 2.0 * std::numbers::pi);
+  place().azimuth = std::remainder(place().azimuth + azimuth, 2.0 * kPi);
   if (mode_ == CameraMode::Top) return;
   place().elevation = std::clamp(place().elevation + elevation, kFlattest, kSteepest);
 }

@@ -7,10 +7,10 @@
 namespace rotorbench {
 namespace {
 
-constexpr float kTurn = 2.0F * std::numbers::pi_v<float>;
+constexpr float kWholeTurn = 2.0F * std::numbers::pi_v<float>;
 
 Vec3f onCircle(float radius, int step, int steps, float z) {
-  const float angle = kTurn * static_cast<float>(step) / static_cast<float>(steps);
+  const float angle = kWholeTurn * static_cast<float>(step) / static_cast<float>(steps);
   return {radius * std::cos(angle), radius * std::sin(angle), z};
 }
 
@@ -104,7 +104,8 @@ Mesh sphereMesh(float radius, int sides, const Vec3f& color) {
   Mesh mesh;
   const int rings = sides / 2;
   for (int r = 0; r <= rings; ++r) {
-    const float latitude = kTurn * (static_cast<float>(r) / static_cast<float>(rings) - 0.5F) / 2;
+    const float latitude =
+        kWholeTurn * (static_cast<float>(r) / static_cast<float>(rings) - 0.5F) / 2;
     for (int i = 0; i < sides; ++i) {
       const Vec3f normal = onCircle(std::cos(latitude), i, sides, std::sin(latitude));
       mesh.addVertex(radius * normal, normal, color);

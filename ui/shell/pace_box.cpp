@@ -7,7 +7,7 @@
 namespace rotorbench {
 
 namespace {
-constexpr auto kKey = "run/pace";
+constexpr auto kPaceKey = "run/pace";
 }
 
 PaceBox::PaceBox(QWidget* parent) : QComboBox(parent) {
@@ -19,9 +19,9 @@ PaceBox::PaceBox(QWidget* parent) : QComboBox(parent) {
     addItem(factor == 1.0 ? tr("Real time") : tr("%1 ×").arg(QLocale().toString(factor)), factor);
   }
   addItem(tr("As fast as possible"), 0.0);
-  setPace({QSettings().value(kKey, 1.0).toDouble()});
+  setPace({QSettings().value(kPaceKey, 1.0).toDouble()});
   connect(this, &QComboBox::currentIndexChanged, this, [this] {
-    QSettings().setValue(kKey, currentData());
+    QSettings().setValue(kPaceKey, currentData());
     emit paceChanged(pace());
   });
 }

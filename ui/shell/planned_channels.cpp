@@ -4,6 +4,7 @@
 #include <set>
 
 #include "sim/core/error.h"
+#include "sim/document/flight.h"
 #include "sim/run/hover_check.h"
 #include "sim/run/simulation.h"
 
@@ -18,7 +19,7 @@ std::optional<std::vector<Channel>> channelsOf(Experiment experiment,
                                                const std::filesystem::path& directory) {
   try {
     // A map takes seconds to be made and has no channels of its own.
-    if (auto* flight = std::get_if<Flight>(&experiment.setup))
+    if (auto* flight = alternativeIf<Flight>(experiment.setup))
       flight->vehicle = withoutMaps(std::move(flight->vehicle));
     const auto simulation = buildSimulation(experiment, directory);
     std::vector<Channel> all;

@@ -6,13 +6,13 @@
 namespace rotorbench {
 
 namespace {
-constexpr auto kKey = "recentFiles";
+constexpr auto kRecentFilesKey = "recentFiles";
 }
 
 RecentFiles::RecentFiles(QObject* parent) : QObject(parent) {}
 
 QStringList RecentFiles::files() const {
-  return QSettings().value(kKey).toStringList();
+  return QSettings().value(kRecentFilesKey).toStringList();
 }
 
 void RecentFiles::add(const QString& file) {
@@ -35,7 +35,7 @@ void RecentFiles::clear() {
 }
 
 void RecentFiles::store(const QStringList& files) {
-  QSettings().setValue(kKey, files);
+  QSettings().setValue(kRecentFilesKey, files);
   emit changed();
 }
 

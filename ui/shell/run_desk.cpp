@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "sim/document/flight.h"
 #include "sim/run/preflight.h"
 #include "sim/run/simulation.h"
 #include "sim/scene/scene_model.h"
@@ -80,7 +81,7 @@ RunDesk::~RunDesk() {
 }
 
 bool RunDesk::isPaced(const Experiment& experiment) {
-  return std::holds_alternative<Flight>(experiment.setup);
+  return holdsAlternative<Flight>(experiment.setup);
 }
 
 void RunDesk::setPace(Pace pace) {

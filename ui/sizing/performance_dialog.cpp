@@ -8,6 +8,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/document/experiment.h"
+#include "sim/document/flight.h"
 #include "sim/sizing/performance.h"
 #include "ui/forms/parameter_form.h"
 #include "ui/forms/plain_locale.h"
@@ -112,7 +113,7 @@ LatestResult<PerformanceDialog::Result>::Job PerformanceDialog::prepare() const 
   const auto fail = [](const QString& sentence) {
     return [sentence] { return Result{{}, sentence}; };
   };
-  const auto* flight = std::get_if<Flight>(&experiment_.as<Experiment>().setup);
+  const auto* flight = alternativeIf<Flight>(experiment_.as<Experiment>().setup);
   if (flight == nullptr) {
     return fail(
         tr("The open experiment has no vehicle. Open one that flies, and its figures appear "

@@ -54,21 +54,22 @@ struct MotorModel {
   [[nodiscard]] S currentRate(const S& v, const S& i, const S& w) const {
     return S((v - resistance * i - torqueConstant * w) * inverseInductance);
   }
+  /// Current in A that holds speed w against an aerodynamic torque in N m.
+  template <class S>
+  [[nodiscard]] S steadyCurrent(const S& w, const S& aerodynamicTorque) const {
+    return S((aerodynamicTorque + friction(w)) / torqueConstant);
+  }
+  /// Terminal voltage in V that carries current i at speed w in the steady state.
+  template <class S>
+  [[nodiscard]] S steadyVoltage(const S& w, const S& i) const {
+    return S(resistance * i + torqueConstant * w);
+  }
 };
 
 /// One motor.
 struct MotorConstants : MotorModel<double> {
   double inductance = 1;  ///< H
   double maxCurrent = 0;  ///< A
-
-  /// Current in A that holds speed w against an aerodynamic torque in N m.
-  [[nodiscard]] double steadyCurrent(double w, double aerodynamicTorque) const {
-    return (aerodynamicTorque + friction(w)) / torqueConstant;
-  }
-  /// Terminal voltage in V that carries current i at speed w in the steady state.
-  [[nodiscard]] double steadyVoltage(double w, double i) const {
-    return resistance * i + torqueConstant * w;
-  }
 };
 
 MotorConstants buildMotor(const MotorParameters& parameters);

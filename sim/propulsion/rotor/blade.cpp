@@ -1,13 +1,11 @@
 #include "sim/propulsion/rotor/blade.h"
 
-#include <numbers>
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kDegree = kPi / 180;
 constexpr double kPitchRadius = 0.75;  // r/R at which pitch is measured
 constexpr double kPitchWeight = 0.41;  // of the printed pitch against the digitised twist: fitted
 

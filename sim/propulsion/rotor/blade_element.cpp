@@ -1,8 +1,8 @@
 #include "sim/propulsion/rotor/blade_element.h"
 
 #include <limits>
-#include <numbers>
 
+#include "sim/core/constants.h"
 #include "sim/propulsion/rotor/inflow_root.h"
 #include "sim/propulsion/rotor/momentum_inflow.h"
 
@@ -10,7 +10,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kLeastTipLoss = 1e-4;
 constexpr double kWarmBracket = 0.003;  // of the section's speed, around the last solution
 constexpr double kRingBegin = -0.5, kRingEnd = -2;  // of the hover induced velocity: Leishman 2.13

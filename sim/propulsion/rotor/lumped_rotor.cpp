@@ -1,6 +1,6 @@
 #include "sim/propulsion/rotor/lumped_rotor.h"
 
-#include <numbers>
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 
@@ -16,7 +16,6 @@ void setInflow(RotorModel<double>& m, const RotorInflow& inflow, double density)
 }  // namespace
 
 SquareFactors squareFactors(double thrustCoefficient, double powerCoefficient, double diameter) {
-  constexpr double kTurn = 2 * std::numbers::pi;
   return {thrustCoefficient * std::pow(diameter, 4) / (kTurn * kTurn),
           powerCoefficient * std::pow(diameter, 5) / (kTurn * kTurn * kTurn)};
 }

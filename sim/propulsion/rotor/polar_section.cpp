@@ -1,12 +1,11 @@
 #include "sim/propulsion/rotor/polar_section.h"
 
-#include <numbers>
+#include "sim/core/constants.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr int kCells = 1440;  // of a quarter of a degree: finer than any polar is written
 constexpr double kCell = 2 * kPi / kCells;
 /// Angle over which a polar glides to the plate beyond its last point: about the width of the

@@ -2,12 +2,13 @@
 
 #include <algorithm>
 
+#include "sim/core/constants.h"
 #include "sim/core/parallel.h"
 
 namespace rotorbench {
 
 PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings)
-    : radius_(rotor.radius()), area_(std::numbers::pi * radius_ * radius_) {
+    : radius_(rotor.radius()), area_(kPi * radius_ * radius_) {
   tabulateAxial(rotor, settings);
   tabulateSide(rotor, settings);
 }
@@ -20,7 +21,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
   values_.resize(stride_ * (rows + 2));
   lastDirection_ = settings.directions - 1;
   lastRow_ = settings.reynoldsNumbers - 1;
-  directionsPerAngle_ = lastDirection_ / std::numbers::pi;
+  directionsPerAngle_ = lastDirection_ / kPi;
   leastLogReynolds_ = std::log(settings.leastReynolds);
   rowsPerLog_ = lastRow_ / (std::log(settings.mostReynolds) - leastLogReynolds_);
   const AirState air;
@@ -30,7 +31,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
     const double speed = reynolds * air.viscosity / (air.density * radius_);
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
     for (std::size_t k = 0; k < directions; ++k) {
-      const double chi = static_cast<double>(k) / directionsPerAngle_ - std::numbers::pi / 2;
+      const double chi = static_cast<double>(k) / directionsPerAngle_ - kPi / 2;
       // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant
       // below it.
       const double omega = std::fmax(0, speed * std::cos(chi) / (kReferenceRadius * radius_));
@@ -46,7 +47,6 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
 
 void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                                 const PropellerMapSettings& settings) {
-  constexpr double kPi = std::numbers::pi;
   const double logRange = lastRow_ / rowsPerLog_;
   const auto direction = [&](const GridPlace& p) { return (p[0] - 0.5) * kPi; };
   const auto sideAngle = [&](const GridPlace& p) { return p[1] * kPi / 2; };

@@ -1,15 +1,14 @@
 #include <charconv>
 #include <map>
-#include <numbers>
 #include <optional>
 
+#include "sim/core/constants.h"
 #include "sim/propulsion/rotor/polar_section.h"
 
 namespace rotorbench {
 
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr std::size_t kMostPoints = 2000;  // as the schema of Polar allows
 
 std::vector<std::string_view> wordsOf(std::string_view line) {

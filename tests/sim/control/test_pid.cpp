@@ -1,5 +1,9 @@
 #include <QtTest>
+#include <array>
+#include <bit>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "sim/control/motor_speed.h"
 #include "sim/control/pid.h"
@@ -28,6 +32,8 @@ class TestPid : public QObject {
   void motorReachesItsSpeedWithinTheCurrentLimit();
   void slowingIsAsTheSpeedControllerCan_data();
   void slowingIsAsTheSpeedControllerCan();
+  void lanesGiveTheBitsOfOne();
+  void motorsSideBySideGiveTheBitsOfOne();
 };
 
 /// Plant T y' = u - y, gains kp/ki = T: the zero cancels the pole, and y = 1 - exp(-kp t/T).
@@ -147,7 +153,7 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   MotorSpeedParameters settings;
   settings.feedForward = feedForward;
   const double inertia = 6.05e-5, drag = 2.621e-7, h = 1e-5;
-  MotorSpeedController controller(settings, m, buildEsc({}, m), inertia, drag);
+  MotorSpeedController controller(settings, {m, buildEsc({}, m), inertia, drag});
   double w = from, i = m.steadyCurrent(from, drag * from * from), v = 0, most = 0, least = 100;
   for (int k = 0; k < 500000; ++k) {
     if (k % 100 == 0) v = controller.update(to, w, 11.1);
@@ -188,8 +194,73 @@ void TestPid::slowingIsAsTheSpeedControllerCan() {
   const EscConstants esc = buildEsc({.reverse = reverse, .activeBraking = braking}, m);
   MotorSpeedParameters settings;
   settings.feedForward = false;
-  MotorSpeedController controller(settings, m, esc, 6.05e-5, 2.6e-7);
+  MotorSpeedController controller(settings, {m, esc, 6.05e-5, 2.6e-7});
   QVERIFY(std::abs(controller.update(-3000, speed, 11.1) - voltage) < 1e-12);
+}
+
+/// Controllers side by side are the same controllers: bit for bit, limited and not.
+void TestPid::lanesGiveTheBitsOfOne() {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> part(0, 1), signal(-2, 2);
+  std::array<PidGains<double>, 4> gains;
+  std::vector<Pid> alone;
+  for (auto& g : gains) {
+    Parameters p{.kp = 20 * part(random), .ki = 10 * part(random), .kd = 4 * part(random)};
+    p.setPointWeight = part(random), p.limit = 5 * part(random);
+    if (alone.size() == 2) p.ki = 0;
+    g = pidGains(p, 1e-2);
+    alone.emplace_back(g);
+  }
+  BasicPid<Lanes<4>> together(besides<4>(gains));
+  for (int k = 0; k < 1000; ++k) {
+    Lanes<4> wanted, measured, carried;
+    for (int i = 0; i < 4; ++i) {
+      wanted[i] = std::floor(signal(random));
+      measured[i] = signal(random);
+    }
+    const Lanes<4> demand = together.propose(wanted, measured);
+    for (int i = 0; i < 4; ++i) {
+      Pid& one = alone[static_cast<std::size_t>(i)];
+      QCOMPARE(std::bit_cast<std::uint64_t>(one.propose(wanted[i], measured[i])),
+               std::bit_cast<std::uint64_t>(demand[i]));
+      carried[i] = part(random) * demand[i];
+      one.accept(carried[i]);
+    }
+    together.accept(carried);
+    for (int i = 0; i < 4; ++i)
+      QCOMPARE(alone[static_cast<std::size_t>(i)].integral(), together.integral()[i]);
+  }
+}
+
+void TestPid::motorsSideBySideGiveTheBitsOfOne() {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> part(0, 1);
+  const MotorSpeedParameters settings;
+  std::array<ControlledMotor, 6> motors;
+  std::vector<MotorSpeedController> alone;
+  for (std::size_t i = 0; i < motors.size(); ++i) {
+    MotorParameters p;
+    p.resistance *= 1 + part(random), p.maxCurrent = 10 + 20 * part(random);
+    const MotorConstants m = buildMotor(p);
+    const EscConstants esc = buildEsc({.reverse = i % 3 == 0, .activeBraking = i % 2 == 0}, m);
+    motors[i] = {m, esc, 6e-5 * (1 + part(random)), 2.6e-7};
+    alone.emplace_back(settings, motors[i]);
+  }
+  BasicMotorSpeedController<Lanes<6>> together(settings, motors);
+  for (int k = 0; k < 2000; ++k) {
+    Lanes<6> wanted, speed;
+    for (int i = 0; i < 6; ++i) {
+      wanted[i] = 100 * std::floor(10 * part(random));
+      speed[i] = 1000 * part(random);
+    }
+    const double bus = 10 + part(random);
+    const Lanes<6> voltage = together.update(wanted, speed, bus);
+    for (int i = 0; i < 6; ++i) {
+      auto& one = alone[static_cast<std::size_t>(i)];
+      QCOMPARE(std::bit_cast<std::uint64_t>(one.update(wanted[i], speed[i], bus)),
+               std::bit_cast<std::uint64_t>(voltage[i]));
+    }
+  }
 }
 
 QTEST_APPLESS_MAIN(TestPid)

@@ -37,7 +37,9 @@ struct Cascade {
     DriveReadings drives;
     drives.speed.head<4>() = y.segment<4>(L::kSpeed);
     drives.busVoltage = forces.busVoltage;
-    return motors.update({pid.rotorSpeedSetPoints()}, drives).head<4>();
+    PerRotor duties;
+    motors.update({pid.rotorSpeedSetPoints()}, drives, duties);
+    return duties.head<4>();
   }
 };
 

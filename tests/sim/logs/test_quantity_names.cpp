@@ -3,6 +3,8 @@
 #include <QtTest>
 
 #include "sim/document/experiment.h"
+#include "sim/document/propeller_bench.h"
+#include "sim/document/thrust_stand.h"
 #include "sim/logs/quantity.h"
 #include "sim/run/simulation.h"
 #include "tests/sim/run/finished_run.h"

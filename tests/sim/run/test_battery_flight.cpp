@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "sim/core/schema_tree.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/run/preflight.h"
 #include "sim/run/simulation.h"
 #include "tests/validation/run_experiment.h"
@@ -14,7 +16,7 @@ using namespace rotorbench::test;
 namespace {
 
 Flight& flightOf(Experiment& e) {
-  return std::get<Flight>(e.setup);
+  return alternative<Flight>(e.setup);
 }
 
 RotorParameters& rotorOf(Experiment& e) {
@@ -48,7 +50,7 @@ class TestBatteryFlight : public QObject {
     // Blade elements solved in every derivative are slow: a glance.
     const bool slow = model == 3;
     flight.duration = slow ? 0.2 : 8;
-    std::get<PidControl>(flight.control).setPoints = {{0, 0, 0, 0, 0}, {0.05, 1, 0, 0, 0}};
+    alternative<ControlledInputs>(flight.control).setPoints = {{0, 0, 0, 0, 0}, {0.05, 1, 0, 0, 0}};
     const auto simulation = runToEnd(e);
     QVERIFY(simulation->state() == SimulationState::Finished);
     const Recording& r = *simulation->runs().front().recording;
@@ -69,7 +71,7 @@ class TestBatteryFlight : public QObject {
     Flight& flight = flightOf(e);
     auto& battery = std::get<BatteryParameters>(flight.vehicle.supply);
     battery.capacity = 200 * 3.6;
-    std::get<PidControl>(flight.control).setPoints = {{0, 0, 0, 0, 0}};
+    alternative<ControlledInputs>(flight.control).setPoints = {{0, 0, 0, 0, 0}};
     flight.duration = 5;
     const auto simulation = runToEnd(e);
     const MetricTable table = simulation->metrics();
@@ -136,7 +138,7 @@ class TestBatteryFlight : public QObject {
     const Experiment e = readExperiment(
         R"({"rotorbench": 1, "setup": {"type": "flight", "vehicle": {"supply": {"voltage": "12.6 V", "internalResistance": 0.01}}}})",
         "old.json");
-    const auto& supply = std::get<SupplyParameters>(std::get<Flight>(e.setup).vehicle.supply);
+    const auto& supply = std::get<SupplyParameters>(alternative<Flight>(e.setup).vehicle.supply);
     QVERIFY(supply == (SupplyParameters{.voltage = 12.6, .internalResistance = 0.01}));
     QVERIFY_EXCEPTION_THROWN(
         readExperiment(

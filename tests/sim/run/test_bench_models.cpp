@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/propeller_bench.h"
 #include "sim/library/component_file.h"
 #include "sim/run/simulation.h"
 #include "sim/scene/scene_model.h"
@@ -355,7 +356,7 @@ class TestBenchModels : public QObject {
             "propeller": {"type": "blade-element", "geometry": {"diameter": "9 in"},
                           "settings": {"elements": 30}}}})",
         "old.json");
-    const auto& bench = std::get<PropellerBench>(old.setup);
+    const auto& bench = alternative<PropellerBench>(old.setup);
     QCOMPARE(std::get<BladeElementSpecimen>(bench.propeller).geometry.diameter, 0.2286);
     QCOMPARE(std::get<BladeElementSpecimen>(bench.propeller).settings.elements, 30);
     QVERIFY(std::holds_alternative<NoPropeller>(bench.second));

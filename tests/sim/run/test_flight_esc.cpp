@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "sim/core/schema_tree.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/io/json_schema.h"
 #include "sim/run/preflight.h"
 #include "sim/run/simulation.h"
@@ -19,7 +21,7 @@ using namespace rotorbench::test;
 namespace {
 
 Flight& flightOf(Experiment& e) {
-  return std::get<Flight>(e.setup);
+  return alternative<Flight>(e.setup);
 }
 RotorParameters& rotorOf(Experiment& e) {
   return std::get<EqualRotors>(flightOf(e).vehicle.rotors).rotor;
@@ -164,7 +166,8 @@ class TestFlightEsc : public QObject {
   void lagKeepsTheHover() {
     QFETCH(EscParameters, esc);
     Experiment plain = shippedWith("battery-flight", {.resistance = 0, .responseTime = 0}, 9);
-    std::get<PidControl>(flightOf(plain).control).setPoints = {{0, 0, 0, 0, 0}, {0.5, 1, 0, 0, 0}};
+    alternative<ControlledInputs>(flightOf(plain).control).setPoints = {{0, 0, 0, 0, 0},
+                                                                        {0.5, 1, 0, 0, 0}};
     Experiment lagged = plain;
     rotorOf(lagged).esc = esc;
     const auto a = finished(plain), b = finished(lagged);
@@ -186,7 +189,8 @@ class TestFlightEsc : public QObject {
   void passiveFlightNeverCharges() {
     const EscParameters passive{.resistance = 0, .responseTime = 0.005, .activeBraking = false};
     Experiment e = shippedWith("battery-flight", passive, 3);
-    std::get<PidControl>(flightOf(e).control).setPoints = {{0, 0, 0, 0, 0}, {1, -2, 0, 0, 0}};
+    alternative<ControlledInputs>(flightOf(e).control).setPoints = {{0, 0, 0, 0, 0},
+                                                                    {1, -2, 0, 0, 0}};
     const auto passiveRun = finished(e);
     rotorOf(e).esc.activeBraking = true;
     const auto brakingRun = finished(e);

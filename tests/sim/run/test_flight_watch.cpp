@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "sim/run/flight_watch.h"
 #include "sim/run/preflight.h"
 #include "tests/validation/run_experiment.h"
@@ -26,27 +27,27 @@ struct Course {
 };
 
 std::vector<Verdict> watched(const Course& c) {
-  FlightWatch watch(
-      {{"altitude", "position.z", "setpoint.z", 1, false,
-        [](const SetPoint& s) { return s.height; },
-        [](const Truth& t) { return t.body.position[2]; }},
-       {"yaw", "attitude.yaw", "setpoint.yaw", 0.5, true, [](const SetPoint& s) { return s.yaw; },
-        [](const Truth& t) { return t.body.attitude[2]; }}});
+  Board board;
+  FlightWatch watch({{"altitude", "position.z", "setpoint.z", 1, false,
+                      [](const SetPoint& s) -> const double& { return s.height; },
+                      [](const Truth& t) -> const double& { return t.body.position[2]; }},
+                     {"yaw", "attitude.yaw", "setpoint.yaw", 0.5, true,
+                      [](const SetPoint& s) -> const double& { return s.yaw; },
+                      [](const Truth& t) -> const double& { return t.body.attitude[2]; }}},
+                    board);
   for (int k = 0; k * kTick <= c.seconds; ++k) {
     const double t = k * kTick;
-    Truth truth;
-    truth.body.position[2] = c.height(t);
-    truth.body.attitude[2] = std::remainder(c.yaw(t), 2 * std::numbers::pi);
-    truth.tiltCosine = std::cos(c.tilt(t));
-    SetPoint wanted;
-    wanted.height = c.wantedHeight(t);
-    watch.see(t, truth, wanted);
+    board.truth.body.position[2] = c.height(t);
+    board.truth.body.attitude[2] = std::remainder(c.yaw(t), 2 * std::numbers::pi);
+    board.truth.tiltCosine = std::cos(c.tilt(t));
+    board.setPoint.height = c.wantedHeight(t);
+    watch.see(t);
   }
   return watch.verdicts();
 }
 
 Flight& flightOf(Experiment& e) {
-  return std::get<Flight>(e.setup);
+  return alternative<Flight>(e.setup);
 }
 
 /// case 07 of the checks from outside: 5 kg hung below the F450.

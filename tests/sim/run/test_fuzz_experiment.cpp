@@ -8,6 +8,7 @@
 #include "sim/core/number_text.h"
 #include "sim/core/schema_tree.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/kinds.h"
 #include "sim/io/file.h"
 #include "sim/run/simulation.h"
 #include "tests/sim/io/mutator.h"
@@ -119,7 +120,7 @@ void checkRoundTrip(const Experiment& experiment, const std::string& text) {
 /// Builds and runs a short version; what it cannot build it says. Returns the largest number of
 /// rows of a run.
 std::size_t simulate(Experiment experiment) {
-  std::visit(Shorten{}, experiment.setup);
+  visitAlternative(Shorten{}, experiment.setup);
   experiment.outputs.memoryLimit = 1e6;
   std::size_t rows = 0;
   try {
@@ -207,7 +208,8 @@ void TestFuzzExperiment::badFiles_data() {
   for (int i = 0; i < 4096; ++i) binary.append(static_cast<char>((i * 197 + 91) & 0xFF));
   QTest::addRow("empty") << QByteArray() << "empty";
   QTest::addRow("only blanks") << QByteArray(" \n\t ") << "empty";
-  QTest::addRow("truncated") << whole.left(whole.size() / 2) << "line 2";
+  const QByteArray half = whole.left(whole.size() / 2);
+  QTest::addRow("truncated") << half << QString("line %1,").arg(half.count('\n') + 1);
   QTest::addRow("truncated at the last brace") << whole.trimmed().chopped(1) << "line 4";
   QTest::addRow("binary") << binary << "text";
   QTest::addRow("deep lists") << QByteArray(100'000, '[') << "64";

@@ -5,6 +5,8 @@
 
 #include "sim/analysis/curve_figures.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/motor_bench.h"
+#include "sim/document/motor_speed_run.h"
 #include "sim/run/simulation.h"
 #include "tests/sim/run/finished_run.h"
 
@@ -76,7 +78,7 @@ class TestMotorBench : public QObject {
   /// A battery runs down; the run ends where the cut-off is reached and keeps what it recorded.
   void emptyBatteryEndsTheRun() {
     Experiment experiment = bench(1);
-    auto& m = std::get<MotorBench>(experiment.setup);
+    auto& m = alternative<MotorBench>(experiment.setup);
     BatteryParameters battery;
     battery.capacity = 30;
     m.stand.supply = battery;
@@ -99,7 +101,7 @@ class TestMotorBench : public QObject {
   void unstableStepIsWarnedOf() {
     QFETCH(int, method);
     Experiment experiment = bench(0.5);
-    auto& m = std::get<MotorBench>(experiment.setup);
+    auto& m = alternative<MotorBench>(experiment.setup);
     m.run.solver.method = static_cast<ode::Method>(method);
     m.run.tick = 0.01;
     m.run.duration = 1;
@@ -178,7 +180,7 @@ class TestMotorBench : public QObject {
           value(free, "motor.voltage", row) + 0.005 * value(free, "motor.current", row);
       QVERIFY(std::abs(terminals - value(free, "controller.voltage", row)) < 1e-9);
     }
-    std::get<MotorSpeedRun>(experiment.setup).compareUnsaturated = false;
+    alternative<MotorSpeedRun>(experiment.setup).compareUnsaturated = false;
     const auto alone = finished(experiment);
     QCOMPARE(alone->runs().size(), std::size_t{1});
     const Recording &a = run(*alone, "Run"), &b = run(*both, "With saturation");
@@ -193,7 +195,7 @@ class TestMotorBench : public QObject {
   void noWindup() {
     Experiment experiment =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
-    auto& m = std::get<MotorSpeedRun>(experiment.setup);
+    auto& m = alternative<MotorSpeedRun>(experiment.setup);
     m.setPoints = {{0, 0}, {0.05, 500}};
     m.run.duration = 2;
     m.stand.motor.maxCurrent = 8;  // just more than the steady current: saturated for long
@@ -218,7 +220,7 @@ class TestMotorBench : public QObject {
   void limitIsKeptToTheSampling() {
     Experiment experiment =
         loadExperiment(std::filesystem::path(EXPERIMENTS_DIR) / "motor-speed-control.json");
-    auto& m = std::get<MotorSpeedRun>(experiment.setup);
+    auto& m = alternative<MotorSpeedRun>(experiment.setup);
     m.setPoints = {{0, 0}, {0.05, 500}};
     m.run = {.solver = {.method = ode::Method::Rk4, .step = 2e-5}, .tick = 1e-4, .duration = 0.5};
     experiment.outputs.recordInterval = 1e-4;
@@ -241,7 +243,7 @@ class TestMotorBench : public QObject {
   void deadTimeShiftsTheRun() {
     QFETCH(double, deadTime);
     Experiment experiment = bench(0.6);
-    auto& m = std::get<MotorBench>(experiment.setup);
+    auto& m = alternative<MotorBench>(experiment.setup);
     m.throttle = {{0, 0}, {0.1, 0.6}, {0.3, 0.2}};
     m.run.duration = 0.5;
     m.run.solver.step = 2e-5;

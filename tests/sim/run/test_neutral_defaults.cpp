@@ -10,6 +10,7 @@
 #include "sim/document/experiment_file.h"
 #include "sim/library/component_library.h"
 #include "sim/run/drive_build.h"
+#include "sim/vehicle/vehicle_parameters.h"
 #include "tests/sim/run/finished_run.h"
 
 using namespace rotorbench;

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/propeller_bench.h"
 #include "sim/run/simulation.h"
 #include "tests/sim/run/finished_run.h"
 

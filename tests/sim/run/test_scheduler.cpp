@@ -6,6 +6,8 @@
 
 #include "sim/control/pid_flight.h"
 #include "sim/core/random.h"
+#include "sim/document/controlled_inputs.h"
+#include "sim/document/flight.h"
 #include "sim/run/builders.h"
 #include "sim/run/flight_assembly.h"
 #include "sim/run/scheduler.h"
@@ -62,8 +64,8 @@ class TestController final : public Controller {
       : Controller("controller", {}), model_(model), allocation_(model) {}
   [[nodiscard]] std::vector<HeldQuantity> held() const override {
     return {{"altitude", "position.z", "setpoint.z", 1, false,
-             [](const SetPoint& s) { return s.height; },
-             [](const Truth& t) { return t.body.position[2]; }}};
+             [](const SetPoint& s) -> const double& { return s.height; },
+             [](const Truth& t) -> const double& { return t.body.position[2]; }}};
   }
   [[nodiscard]] std::vector<Channel> channels() const override {
     return {{"test.climb", "m/s^2", "Climb demanded"}};
@@ -222,16 +224,16 @@ class TestScheduler : public QObject {
   /// The flagship with its tasks registered in another order: the same bytes.
   void registrationDoesNotMatter() {
     Experiment e = shipped("f450-hover-and-steps");
-    auto& flight = std::get<Flight>(e.setup);
+    auto& flight = alternative<Flight>(e.setup);
     flight.duration = 2;
     const std::filesystem::path directory;
     const BuildContext context = contextOf(e, directory);
-    const auto& pid = std::get<PidControl>(flight.control);
+    const auto& inputs = alternative<ControlledInputs>(flight.control);
     const auto fly = [&](bool reversed) {
-      FlightParts parts = controlledFlight(
-          flight, pid.controller.motors, pid, context, [&](const ControlModel& model) {
-            return std::make_unique<PidFlight>(pid.controller, model, Timing{2});
-          });
+      FlightParts parts = controlledFlight(flight, inputs, context, [&](const ControlModel& model) {
+        return std::make_unique<PidFlight>(std::get<PidFlightParameters>(inputs.controller), model,
+                                           Timing{2});
+      });
       if (reversed) std::ranges::reverse(parts.tasks);
       FlightSimulation simulation(flight, e.outputs, std::move(parts));
       while (simulation.advance(500) == SimulationState::Running) {
@@ -248,15 +250,14 @@ class TestScheduler : public QObject {
   /// A controller of the test's own: it flies, its channel is recorded, its figures are made.
   void aControllerFromOutside() {
     Experiment e = shipped("f450-hover-and-steps");
-    auto& flight = std::get<Flight>(e.setup);
+    auto& flight = alternative<Flight>(e.setup);
     flight.duration = 7;
     const std::filesystem::path directory;
     const BuildContext context = contextOf(e, directory);
-    PidControl timeline;
-    timeline.setPoints = {{0, 0, 0, 0, 0}, {1, 2, 0, 0, 0}};
+    ControlledInputs inputs;
+    inputs.setPoints = {{0, 0, 0, 0, 0}, {1, 2, 0, 0, 0}};
     FlightSimulation simulation(
-        flight, e.outputs,
-        controlledFlight(flight, {}, timeline, context, [](const ControlModel& model) {
+        flight, e.outputs, controlledFlight(flight, inputs, context, [](const ControlModel& model) {
           return std::make_unique<TestController>(model);
         }));
     while (simulation.advance(500) == SimulationState::Running) {
@@ -273,17 +274,17 @@ class TestScheduler : public QObject {
   /// Another seed is another flight, the same seed the same bytes.
   void seedDecidesTheNoise() {
     Experiment e = shipped("f450-hover-and-steps");
-    auto& flight = std::get<Flight>(e.setup);
+    auto& flight = alternative<Flight>(e.setup);
     flight.duration = 0.5;
     const auto fly = [&](std::uint64_t seed) {
       e.seed = seed;
       const std::filesystem::path directory;
       const BuildContext context = contextOf(e, directory);
-      const auto& pid = std::get<PidControl>(flight.control);
-      FlightParts parts = controlledFlight(
-          flight, pid.controller.motors, pid, context, [&](const ControlModel& model) {
-            return std::make_unique<PidFlight>(pid.controller, model, Timing{2});
-          });
+      const auto& inputs = alternative<ControlledInputs>(flight.control);
+      FlightParts parts = controlledFlight(flight, inputs, context, [&](const ControlModel& model) {
+        return std::make_unique<PidFlight>(std::get<PidFlightParameters>(inputs.controller), model,
+                                           Timing{2});
+      });
       std::ranges::find(parts.tasks, "sensors", [](const auto& t) {
         return t->name();
       })->reset(new NoisySensors(context.seed));
@@ -308,14 +309,15 @@ class TestScheduler : public QObject {
       return std::string();
     };
     Experiment e = shipped("f450-hover-and-steps");
-    auto& flight = std::get<Flight>(e.setup);
-    auto& pid = std::get<PidControl>(flight.control).controller;
+    auto& flight = alternative<Flight>(e.setup);
+    auto& inputs = alternative<ControlledInputs>(flight.control);
+    auto& pid = std::get<PidFlightParameters>(inputs.controller);
     pid.rate = 300;
     QCOMPARE(pathOf(e), std::string("setup.control.controller.rate"));
     pid.rate = 500;
-    pid.motors.rate = 300;
-    QCOMPARE(pathOf(e), std::string("setup.control.controller.motors.rate"));
-    pid.motors.rate = 1000;
+    inputs.motors.rate = 300;
+    QCOMPARE(pathOf(e), std::string("setup.control.motors.rate"));
+    inputs.motors.rate = 1000;
     FreeLayout line;
     for (int i = 0; i < 4; ++i)
       line.rotors[static_cast<std::size_t>(i)].position = {0.1 * (i - 1.5), 0, 0};

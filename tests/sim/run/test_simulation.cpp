@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
+#include "sim/document/solver_comparison.h"
 #include "sim/run/simulation.h"
 
 using namespace rotorbench;
@@ -18,7 +20,7 @@ Experiment shipped(const char* name) {
 /// The flagship for `duration` s.
 Experiment flagship(double duration) {
   Experiment experiment = shipped("f450-hover-and-steps.json");
-  std::get<Flight>(experiment.setup).duration = duration;
+  alternative<Flight>(experiment.setup).duration = duration;
   return experiment;
 }
 
@@ -255,7 +257,7 @@ void TestSimulation::springBarComparison() {
 
 void TestSimulation::invalidExperiment() {
   Experiment experiment = flagship(1);
-  auto& flight = std::get<Flight>(experiment.setup);
+  auto& flight = alternative<Flight>(experiment.setup);
   flight.duration = -1;
   flight.environment.gravity = std::numeric_limits<double>::quiet_NaN();
   experiment.outputs.recordInterval = 0;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/thrust_stand.h"
 #include "sim/run/drive_build.h"
 #include "tests/sim/run/finished_run.h"
 

@@ -2,6 +2,7 @@
 #include <filesystem>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "sim/scene/scene_model.h"
 
 using namespace rotorbench;
@@ -69,7 +70,7 @@ void TestSceneModel::layoutTurnsTheSpins() {
   PlusLayout plus;
   plus.arm = 0.3;
   plus.firstSpin = Spin::Clockwise;
-  std::get<Flight>(experiment.setup).vehicle.layout = plus;
+  alternative<Flight>(experiment.setup).vehicle.layout = plus;
   const auto model = sceneModel(experiment);
   QVERIFY(model.has_value());
   compare(model->rotors[0].position, {0.3, 0, 0});
@@ -108,7 +109,7 @@ void TestSceneModel::birotors() {
 void TestSceneModel::deviationMovesOneHub() {
   const Experiment experiment = shipped("unbalanced-f450.json");
   Experiment balanced = experiment;
-  std::get<Flight>(balanced.setup).vehicle.deviations.clear();
+  alternative<Flight>(balanced.setup).vehicle.deviations.clear();
   const auto planned = sceneModel(balanced);
   const auto actual = sceneModel(experiment);
   QVERIFY(planned.has_value() && actual.has_value());
@@ -136,7 +137,7 @@ void TestSceneModel::impossibleVehicles_data() {
 void TestSceneModel::impossibleVehicles() {
   QFETCH(int, fault);
   Experiment experiment;
-  VehicleParameters& vehicle = std::get<Flight>(experiment.setup).vehicle;
+  VehicleParameters& vehicle = alternative<Flight>(experiment.setup).vehicle;
   QVERIFY(sceneModel(experiment).has_value());
   DirectMass mass;
   if (fault == 0) mass.mass = -1;

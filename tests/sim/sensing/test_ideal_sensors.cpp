@@ -1,6 +1,7 @@
 #include <QtTest>
 #include <cmath>
 
+#include "sim/document/flight.h"
 #include "sim/run/plant_handle.h"
 #include "sim/sensing/sensor_tasks.h"
 #include "sim/sensing/true_state.h"

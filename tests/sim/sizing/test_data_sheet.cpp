@@ -7,6 +7,7 @@
 #include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "sim/sizing/apply_data_sheet.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"
@@ -294,7 +295,7 @@ class TestDataSheet : public QObject {
     if (propeller == 2) sheet.propeller = StaticTable{};
     applyDataSheet(sheet, experiment);
     QVERIFY(schema::validate(schema::ref(experiment)).empty());
-    const auto& flight = std::get<Flight>(experiment.setup);
+    const auto& flight = alternative<Flight>(experiment.setup);
     const Multirotor<4> vehicle(buildMultirotor<4>(flight.vehicle, flight.environment));
     const auto speeds = vehicle.hoverSpeeds();
     const FigureSheet figures = figuresOf(sheet);

@@ -7,6 +7,7 @@
 #include "sim/core/schema_tree.h"
 #include "sim/core/units.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/performance.h"
 
@@ -20,7 +21,7 @@ bool near(double a, double b, double relative) {
 
 Flight flightOf(const char* name) {
   const Experiment e = loadExperiment(std::string(EXPERIMENTS_DIR "/") + name + ".json");
-  return std::get<Flight>(e.setup);
+  return alternative<Flight>(e.setup);
 }
 
 RotorParameters& rotorOf(VehicleParameters& vehicle) {

@@ -12,6 +12,8 @@
 #include <fstream>
 
 #include "sim/document/experiment.h"
+#include "sim/document/flight.h"
+#include "sim/document/motor_bench.h"
 #include "sim/library/component_file.h"
 #include "ui/forms/experiment_panel.h"
 #include "ui/forms/parameter_form.h"
@@ -50,7 +52,7 @@ struct Bench {
     return dialog != nullptr && QTest::qWaitForWindowExposed(dialog) ? dialog : nullptr;
   }
   const DriveStand& stand() const {
-    return std::get<MotorBench>(model.as<Experiment>().setup).stand;
+    return alternative<MotorBench>(model.as<Experiment>().setup).stand;
   }
 
   DocumentModel model;
@@ -264,7 +266,7 @@ void TestLibraryDialog::airframeReplacesTheVehicle() {
   search(dialog, "quad-sim x");
   click(dialog, "libraryUse");
   QTRY_COMPARE(bench.model.undoStack()->count(), 1);
-  const auto& vehicle = std::get<Flight>(bench.model.as<Experiment>().setup).vehicle;
+  const auto& vehicle = alternative<Flight>(bench.model.as<Experiment>().setup).vehicle;
   QCOMPARE(std::get<DirectMass>(vehicle.mass).mass, 1.023);
   QVERIFY(!bench.model.hasErrors());
 }
@@ -274,7 +276,7 @@ void TestLibraryDialog::airframeReplacesTheVehicle() {
 void TestLibraryDialog::speedControllersOfAVehicle() {
   Bench bench{Experiment()};
   const auto esc = [](Bench& b) -> const EscParameters& {
-    const auto& vehicle = std::get<Flight>(b.model.as<Experiment>().setup).vehicle;
+    const auto& vehicle = alternative<Flight>(b.model.as<Experiment>().setup).vehicle;
     return std::get<EqualRotors>(vehicle.rotors).rotor.esc;
   };
   const QString section = "setup.vehicle.rotors.rotor", place = "setup.vehicle.rotors.rotor.esc";

@@ -15,6 +15,7 @@
 #include <numbers>
 
 #include "sim/document/experiment.h"
+#include "sim/document/thrust_stand.h"
 #include "sim/library/component_library.h"
 #include "sim/run/drive_build.h"
 #include "ui/library/library_dialog.h"
@@ -38,7 +39,7 @@ Experiment standWithMotor(const MotorParameters& motor) {
 /// Steady points of the stand as a log would have them: what the fit has to find is in `motor`.
 std::shared_ptr<const Recording> logOf(const MotorParameters& motor, int steps = 13) {
   const Experiment experiment = standWithMotor(motor);
-  const DriveTrain train = buildDriveTrain(std::get<ThrustStand>(experiment.setup).stand);
+  const DriveTrain train = buildDriveTrain(alternative<ThrustStand>(experiment.setup).stand);
   auto recording = std::make_shared<Recording>(std::vector<Channel>{{"throttle", "1", ""},
                                                                     {"motor.speed", "rad/s", ""},
                                                                     {"supply.voltage", "V", ""},
@@ -100,7 +101,7 @@ struct Fixture {
     return {};
   }
   MotorParameters motor() {
-    return std::get<ThrustStand>(model.as<Experiment>().setup).stand.motor;
+    return alternative<ThrustStand>(model.as<Experiment>().setup).stand.motor;
   }
   void fit() {
     click("fitRun");

@@ -7,6 +7,7 @@
 #include <QtTest>
 
 #include "sim/document/experiment.h"
+#include "sim/document/motor_bench.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 #include "ui/propeller/blade_curves.h"
 #include "ui/propeller/propeller_editor.h"

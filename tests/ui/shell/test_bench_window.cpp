@@ -5,6 +5,7 @@
 #include <QTreeWidgetItemIterator>
 
 #include "sim/document/experiment.h"
+#include "sim/document/propeller_bench.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_legend.h"
 #include "ui/charts/chart_pane.h"
@@ -58,7 +59,7 @@ QString problemsShown(MainWindow& window) {
 }
 
 const PropellerBench& benchOf(MainWindow& window) {
-  return std::get<PropellerBench>(window.documents().experiment().setup);
+  return alternative<PropellerBench>(window.documents().experiment().setup);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include <iostream>
 
 #include "sim/document/experiment_file.h"
+#include "sim/document/flight.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/shell/autosave.h"
 
@@ -251,7 +252,7 @@ void TestDocuments::unsavedPrompt() {
   press(box, static_cast<QMessageBox::StandardButton>(answer));
   QTRY_COMPARE(window.isVisible(), !closes);
   const Experiment saved = loadExperiment(file.toStdString());
-  QCOMPARE(std::get<Flight>(saved.setup).duration, inFile);
+  QCOMPARE(alternative<Flight>(saved.setup).duration, inFile);
 }
 
 void TestDocuments::cleanEndLeavesNothing() {
@@ -284,7 +285,7 @@ QString TestDocuments::crashWithUnsavedWork() {
 void TestDocuments::crashOffersRecovery() {
   const QString file = crashWithUnsavedWork();
   QVERIFY(!file.isEmpty());
-  QCOMPARE(std::get<Flight>(loadExperiment(file.toStdString()).setup).duration, 40.0);
+  QCOMPARE(alternative<Flight>(loadExperiment(file.toStdString()).setup).duration, 40.0);
   MainWindow window;
   showWindow(window);
   QMessageBox* box = nullptr;
@@ -296,7 +297,7 @@ void TestDocuments::crashOffersRecovery() {
   QVERIFY(window.isWindowModified());
   clickAction(window, "actionSave");
   QTRY_VERIFY(!window.isWindowModified());
-  QCOMPARE(std::get<Flight>(loadExperiment(file.toStdString()).setup).duration, 7.0);
+  QCOMPARE(alternative<Flight>(loadExperiment(file.toStdString()).setup).duration, 7.0);
 }
 
 void TestDocuments::discardedWorkIsGone() {

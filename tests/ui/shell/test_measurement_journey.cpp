@@ -13,6 +13,7 @@
 #include <numbers>
 
 #include "sim/document/experiment.h"
+#include "sim/document/thrust_stand.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_legend.h"
 #include "ui/charts/chart_pane.h"
@@ -90,7 +91,7 @@ const ChartPane* paneTitled(MainWindow& window, const QString& title) {
 }
 
 MotorParameters motorOf(MainWindow& window) {
-  return std::get<ThrustStand>(window.documents().model().as<Experiment>().setup).stand.motor;
+  return alternative<ThrustStand>(window.documents().model().as<Experiment>().setup).stand.motor;
 }
 
 }  // namespace

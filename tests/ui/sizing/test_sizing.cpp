@@ -9,6 +9,8 @@
 #include <cmath>
 
 #include "sim/document/experiment.h"
+#include "sim/document/flight.h"
+#include "sim/document/motor_bench.h"
 #include "tests/ui/shell/shell_fixture.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/forms/parameter_form.h"
@@ -125,7 +127,7 @@ void TestSizing::dataSheetGoesIntoTheVehicleAndOut() {
   QTRY_VERIFY(use->isEnabled());
   QTest::mouseClick(use, Qt::LeftButton);
   const auto motorOf = [&] {
-    const auto& flight = std::get<Flight>(window.documents().experiment().setup);
+    const auto& flight = alternative<Flight>(window.documents().experiment().setup);
     return std::get<EqualRotors>(flight.vehicle.rotors).rotor.motor;
   };
   QVERIFY(std::abs(motorOf().speedConstant - 920 * 0.10471975511965977) < 1e-9);
@@ -135,8 +137,8 @@ void TestSizing::dataSheetGoesIntoTheVehicleAndOut() {
   QCOMPARE(undo->undoText(), QString("Drive from a data sheet"));
   QVERIFY(!window.documents().model().hasErrors());
   // The vehicle keeps its mass, layout and drag.
-  const auto& now = std::get<Flight>(window.documents().experiment().setup);
-  QVERIFY(now.vehicle.mass == std::get<Flight>(before.setup).vehicle.mass);
+  const auto& now = alternative<Flight>(window.documents().experiment().setup);
+  QVERIFY(now.vehicle.mass == alternative<Flight>(before.setup).vehicle.mass);
   undo->undo();
   QVERIFY(window.documents().experiment() == before);
 }
@@ -149,7 +151,7 @@ void TestSizing::dataSheetGoesIntoAStand() {
   typeField(*dialog, "motor.resistance", "90 mOhm");
   QTRY_VERIFY(dialog->findChild<QPushButton*>("useDataSheet")->isEnabled());
   QTest::mouseClick(dialog->findChild<QPushButton*>("useDataSheet"), Qt::LeftButton);
-  const auto& bench = std::get<MotorBench>(window.documents().experiment().setup);
+  const auto& bench = alternative<MotorBench>(window.documents().experiment().setup);
   QCOMPARE(bench.stand.motor.resistance, 0.09);
   // What was typed into the sheet afterwards is dropped by reading the experiment again.
   typeField(*dialog, "motor.resistance", "1 Ohm");

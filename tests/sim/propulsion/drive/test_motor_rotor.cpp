@@ -51,7 +51,7 @@ void TestMotorRotor::noLoadCurrentIsTheDataSheets() {
   p.viscousShare = viscousShare;
   const MotorConstants m = buildMotor(p);
   const double speed = (10 - 0.117 * 0.45) * 960 * M_PI / 30;
-  QVERIFY(std::abs(m.steadyCurrent(speed, 0) - 0.45) < 1e-12);
+  QVERIFY(std::abs(m.steadyCurrent(speed, 0.0) - 0.45) < 1e-12);
   QVERIFY(std::abs(m.steadyVoltage(speed, 0.45) - 10) < 1e-12);
   QVERIFY(std::abs(m.torqueConstant - 9.947e-3) < 1e-6);  // reference table 6b
 }

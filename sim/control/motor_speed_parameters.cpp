@@ -1,4 +1,4 @@
-#include "sim/control/motor_speed.h"
+#include "sim/control/motor_speed_parameters.h"
 
 namespace rotorbench {
 

@@ -1,6 +1,8 @@
-#include "sim/document/pid_control.h"
+#include "sim/document/controlled_inputs.h"
 
 #include <numbers>
+
+#include "sim/core/box_members.h"
 
 namespace rotorbench {
 
@@ -24,18 +26,23 @@ void Describe<SetPointRow>::fields(schema::Builder<SetPointRow>& b) {
       .shownIn("deg");
 }
 
-void Describe<PidControl>::fields(schema::Builder<PidControl>& b) {
-  b.title("pid", "Controller 1 (PID)",
-          "PIDs for altitude, roll, pitch and yaw, allocation to rotor speeds, and motor speed "
-          "controllers.",
-          "Thesis 2014, section 4.2");
-  b.group("controller", &PidControl::controller, "Controller 1");
-  b.list("setPoints", &PidControl::setPoints, "Timeline")
+void Describe<ControlledInputs>::fields(schema::Builder<ControlledInputs>& b) {
+  b.title(
+      "controlled", "Controller",
+      "A flight controller follows set-points and asks rotor speeds of motor speed controllers.",
+      "Thesis 2014, section 4.2");
+  // Until there was a second controller, the way of control was named for the first, and the motors
+  // were its own.
+  b.formerly("pid");
+  b.moved("controller.motors", "motors");
+  b.variant("controller", &ControlledInputs::controller, "Controller").untyped();
+  b.group("motors", &ControlledInputs::motors, "Motor speed controllers");
+  b.list("setPoints", &ControlledInputs::setPoints, "Timeline")
       .items(1, 100000)
       .table()
       .help("Set-points over time. Times must rise from row to row.");
-  b.choice("interpolation", &PidControl::interpolation, "Between the rows", interpolations());
-  b.check([](const PidControl& c, std::vector<Problem>& problems) {
+  b.choice("interpolation", &ControlledInputs::interpolation, "Between the rows", interpolations());
+  b.check([](const ControlledInputs& c, std::vector<Problem>& problems) {
     for (std::size_t i = 1; i < c.setPoints.size(); ++i) {
       if (c.setPoints[i].time <= c.setPoints[i - 1].time) {
         problems.push_back({"setPoints[" + std::to_string(i) + "].time",
@@ -44,5 +51,7 @@ void Describe<PidControl>::fields(schema::Builder<PidControl>& b) {
     }
   });
 }
+
+template class Box<ControlledInputs>;
 
 }  // namespace rotorbench
