@@ -1,6 +1,6 @@
 #include "sim/run/flight_figures.h"
 
-#include <algorithm>
+#include <Eigen/Core>
 #include <cmath>
 #include <limits>
 
@@ -19,7 +19,9 @@ double peakOfRotors(const Recording& recording, const std::string& quantity) {
     if (!name.starts_with("rotor") || !name.ends_with("." + quantity)) continue;
     for (std::size_t row = 0; row < recording.rows();) {
       const auto piece = recording.column(c, row);
-      peak = std::fmax(peak, *std::max_element(piece.begin(), piece.end()));
+      const Eigen::Map<const Eigen::ArrayXd> values(piece.data(),
+                                                    static_cast<Eigen::Index>(piece.size()));
+      peak = std::fmax(peak, values.maxCoeff());  // a recording holds no NaN of a rotor
       row += piece.size();
     }
   }
