@@ -1,7 +1,5 @@
 #include "sim/document/birotor_motion.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 void Describe<BirotorMotion>::fields(schema::Builder<BirotorMotion>& b) {
@@ -25,7 +23,5 @@ void Describe<BirotorMotion>::fields(schema::Builder<BirotorMotion>& b) {
     }
   });
 }
-
-template class Box<BirotorMotion>;
 
 }  // namespace rotorbench

@@ -1,5 +1,6 @@
 #include "sim/document/experiment.h"
 
+#include "sim/core/box_members.h"
 #include "sim/document/kinds.h"
 
 namespace rotorbench {
@@ -43,5 +44,13 @@ void Describe<Experiment>::fields(schema::Builder<Experiment>& b) {
       .help(
           "Every random stream of the run is derived from it: the same seed gives the same bits.");
 }
+
+template class Box<Flight>;
+template class Box<MotorBench>;
+template class Box<PropellerBench>;
+template class Box<ThrustStand>;
+template class Box<MotorSpeedRun>;
+template class Box<SolverComparison>;
+template class Box<BirotorMotion>;
 
 }  // namespace rotorbench

@@ -1,6 +1,5 @@
 #include "sim/document/flight.h"
 
-#include "sim/core/box_members.h"
 #include "sim/document/controlled_inputs.h"
 
 namespace rotorbench {
@@ -27,7 +26,5 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
   });
 }
-
-template class Box<Flight>;
 
 }  // namespace rotorbench

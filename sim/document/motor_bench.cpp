@@ -1,7 +1,5 @@
 #include "sim/document/motor_bench.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 void Describe<ThrottleStep>::fields(schema::Builder<ThrottleStep>& b) {
@@ -36,7 +34,5 @@ void Describe<MotorBench>::fields(schema::Builder<MotorBench>& b) {
     }
   });
 }
-
-template class Box<MotorBench>;
 
 }  // namespace rotorbench

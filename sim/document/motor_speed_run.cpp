@@ -1,7 +1,5 @@
 #include "sim/document/motor_speed_run.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 void Describe<SpeedStep>::fields(schema::Builder<SpeedStep>& b) {
@@ -35,7 +33,5 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
     }
   });
 }
-
-template class Box<MotorSpeedRun>;
 
 }  // namespace rotorbench

@@ -7,8 +7,6 @@
 #include "sim/core/schema_tree.h"
 #include "sim/document/propeller_bench.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 using schema::above;
@@ -267,7 +265,5 @@ RotorAerodynamics aerodynamicsOf(const BenchPropeller& propeller) {
       },
       propeller);
 }
-
-template class Box<PropellerBench>;
 
 }  // namespace rotorbench

@@ -2,8 +2,6 @@
 
 #include "sim/document/solver_comparison.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 namespace {
@@ -76,7 +74,5 @@ void Describe<SolverComparison>::fields(schema::Builder<SolverComparison>& b) {
       .help("Runs every method again with seven steps or tolerances, to show error against cost.");
   b.check(checkComparison);
 }
-
-template class Box<SolverComparison>;
 
 }  // namespace rotorbench

@@ -2,8 +2,6 @@
 
 #include "sim/document/thrust_stand.h"
 
-#include "sim/core/box_members.h"
-
 namespace rotorbench {
 
 using schema::above;
@@ -91,7 +89,5 @@ double durationOf(const ThrottleProcedure& procedure) {
   if (const auto* sweep = std::get_if<ThrottleSweep>(&procedure)) return sweep->duration;
   return std::get<ThrottleRows>(procedure).duration;
 }
-
-template class Box<ThrustStand>;
 
 }  // namespace rotorbench

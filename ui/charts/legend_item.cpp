@@ -84,10 +84,10 @@ void LegendItem::paintSample(QPainter& painter, const ChartTheme& theme) const {
   painter.setPen(curvePen(entry_.style, theme, 2));
   painter.drawLine(kPadding, middle, kSample - kPadding, middle);
   if (entry_.style.line) return;
-  constexpr int kMark = 3;  // radius, as in the plot
+  constexpr int kMarkRadius = 3;  // as in the plot
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(theme.readable(entry_.style.color));
-  painter.drawEllipse(QPoint(kSample / 2, middle), kMark, kMark);
+  painter.drawEllipse(QPoint(kSample / 2, middle), kMarkRadius, kMarkRadius);
   painter.setRenderHint(QPainter::Antialiasing, false);
 }
 
