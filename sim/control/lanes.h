@@ -1,6 +1,6 @@
 // Controllers side by side: their equations are written once, over a number (Real is double) or
-// over an Eigen::Array with one lane for each of several controllers, which costs a processor half
-// as much. Every lane gives the bits that the number alone would give.
+// over an Eigen::Array with one lane for each of several controllers, which a processor works
+// through two at a time. Every lane gives the bits that the number alone would give.
 #pragma once
 
 #include <Eigen/Core>

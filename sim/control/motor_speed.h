@@ -5,7 +5,6 @@
 
 #include <array>
 #include <limits>
-#include <utility>
 
 #include "sim/control/motor_speed_parameters.h"
 #include "sim/control/pid.h"

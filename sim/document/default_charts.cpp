@@ -1,6 +1,5 @@
 #include "sim/document/default_charts.h"
 
-#include "sim/document/controlled_inputs.h"
 #include "sim/document/kinds.h"
 
 #include "sim/document/experiment.h"

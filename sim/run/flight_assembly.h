@@ -8,7 +8,6 @@
 
 #include "sim/control/controller.h"
 #include "sim/document/controlled_inputs.h"
-#include "sim/document/flight.h"
 #include "sim/run/builders.h"
 #include "sim/run/flight_simulation.h"
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "sim/control/controller.h"
-#include "sim/document/flight.h"
 #include "sim/document/set_points.h"
 #include "sim/run/flight_watch.h"
 #include "sim/run/plant_handle.h"

@@ -88,7 +88,7 @@ std::string section(const CaseResult& result) {
   std::string html = "<h2 id=\"" + escapedMarkup(result.key) + "\">" + escapedMarkup(result.title) +
                      "</h2>\n<p>" + escapedMarkup(result.method) + "</p>\n";
   html +=
-      "<div class=\"scroll\"><table><thead><tr><th>ComparedFigure</th><th>Value</th><th>Limit</th>"
+      "<div class=\"scroll\"><table><thead><tr><th>Figure</th><th>Value</th><th>Limit</th>"
       "<th>Unit</th><th></th></tr></thead><tbody>\n" +
       figureRows(result) + "</tbody></table></div>\n";
   if (!result.verdict.empty()) html += "<p>" + escapedMarkup(result.verdict) + "</p>\n";

@@ -158,6 +158,7 @@ void TestPublishedData::reportHoldsEveryFigure() {
     }
   }
   QCOMPARE(csv.count('\n'), figures + 1);
+  QVERIFY(page.contains("<th>Figure</th><th>Value</th><th>Limit</th>"));
   QVERIFY(!page.contains("http-equiv") && !page.contains("<script") && !page.contains("src="));
 }
 
