@@ -63,7 +63,8 @@ class TestRecipe : public QObject {
     const Experiment e = flight(R"({"altitude": {"kp": 9}})");
     const auto& inputs = alternative<ControlledInputs>(alternative<Flight>(e.setup).control);
     QCOMPARE(std::get<PidFlightParameters>(inputs.controller).altitude.kp, 9.0);
-    const Recording& r = *runToEnd(e)->runs().front().recording;
+    const auto run = runToEnd(e);
+    const Recording& r = *run->runs().front().recording;
     QVERIFY(r.find("control.momentX") && !r.find("controller.climb"));
     QCOMPARE(runToEnd(shipped("f450-hover-and-steps"))->verdicts().size(), std::size_t{0});
   }
