@@ -9,6 +9,8 @@
 
 namespace rotorbench::cli {
 
+namespace {
+
 void applyEdit(schema::Ref document, const std::string& edit) {
   const auto equals = edit.find('=');
   if (equals == std::string::npos || equals == 0) {
@@ -22,9 +24,18 @@ void applyEdit(schema::Ref document, const std::string& edit) {
   }
 }
 
+}  // namespace
+
+void applyEdits(schema::Ref document, const std::vector<std::string>& edits) {
+  for (const auto& edit : edits) applyEdit(document, edit);
+  if (edits.empty()) return;
+  for (const auto& loose : schema::looseFollowers(document))
+    loose.follower->follow(loose.owner.object);
+}
+
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits) {
   Experiment experiment = loadExperiment(file);
-  for (const auto& edit : edits) applyEdit(schema::ref(experiment), edit);
+  applyEdits(schema::ref(experiment), edits);
   const std::string source = edits.empty() ? file : "--set";
   sayWarnings(source, schema::validate(schema::ref(experiment)));
   sayWarnings(source, runWarnings(experiment));

@@ -9,8 +9,9 @@
 
 namespace rotorbench::cli {
 
-/// One path=value applied to a document. Throws InputError naming the edit.
-void applyEdit(schema::Ref document, const std::string& edit);
+/// Applies each path=value to a document; what follows from the changes (as many inputs as rotors)
+/// then follows. Throws InputError naming the edit.
+void applyEdits(schema::Ref document, const std::vector<std::string>& edits);
 
 /// The file with the edits applied in order. Throws InputError naming the file or the edit at
 /// fault; rules over several parameters are checked once, after the last edit. What is only

@@ -63,7 +63,7 @@ DataSheet startingSheet(const SizingOptions& options) {
 
 void dataSheet(const SizingOptions& options) {
   DataSheet sheet = startingSheet(options);
-  for (const auto& edit : options.edits) applyEdit(schema::ref(sheet), edit);
+  applyEdits(schema::ref(sheet), options.edits);
   const std::string source = options.edits.empty() ? options.file : "--set";
   const auto warnings = sayWarnings(source, schema::validate(schema::ref(sheet)));
   FigureSheet figures = figuresOf(sheet);

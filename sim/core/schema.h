@@ -85,10 +85,11 @@ enum class TextRole { Line, Paragraph, FilePath, Channels };
 struct Field {
   std::string key, label, symbol, help, source;
   Kind kind = Kind::Number;
-  std::string unit = "1";                   ///< SI unit of the stored value
-  std::string displayUnit = "1";            ///< unit a form shows first
-  Range range;                              ///< Number, Integer, Vector components
-  std::size_t size = 0;                     ///< Vector: number of components
+  std::string unit = "1";         ///< SI unit of the stored value
+  std::string displayUnit = "1";  ///< unit a form shows first
+  Range range;                    ///< Number, Integer, Vector components
+  std::size_t size = 0;           ///< Vector: number of components, at most
+  std::size_t leastSize = 0;      ///< Vector: at least; below `size` where the number is free
   std::vector<std::string> componentNames;  ///< Vector: "x", "y", "z"
   std::vector<Option> options;              ///< Choice; Variant: one per alternative
   TextRole role = TextRole::Line;           ///< Text
@@ -122,6 +123,8 @@ struct Field {
     return child(const_cast<void*>(owner), index);
   }
   [[nodiscard]] bool isLeaf() const { return kind < Kind::Group; }
+  /// "4", or "4 to 8" where the number of components is free.
+  [[nodiscard]] std::string sizeText() const;
 };
 
 /// One described struct. There is exactly one Type per struct, made on first use; it never changes.
@@ -137,6 +140,15 @@ class Type {
   std::vector<Field> fields;
   /// A rule over several members of this struct; the path of a problem is relative to the struct.
   std::vector<std::function<void(const void* object, std::vector<Problem>&)>> checks;
+  /// Members whose shape follows from others of the struct (as many inputs as rotors). Whoever edits
+  /// by hand lets them follow; a file must say what it means.
+  struct Follower {
+    std::function<bool(const void* object)> fits;
+    std::string
+        field;  ///< path below the struct: a list, a group or a variant that follow() changes
+    std::function<void(void* object)> follow;
+  };
+  std::vector<Follower> followers;
   /// A default-made object of this struct.
   std::function<std::shared_ptr<void>()> make;
 

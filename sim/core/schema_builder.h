@@ -149,7 +149,7 @@ class Builder {
     static_assert(N > 0);
     Field& f = add(Kind::Vector, std::move(key), std::move(label), std::move(symbol));
     f.unit = f.displayUnit = std::move(unit);
-    f.size = N;
+    f.size = f.leastSize = N;
     f.componentNames = {"x", "y", "z"};
     f.componentNames.resize(N);
     f.read = [member](const void* o) {
@@ -159,6 +159,22 @@ class Builder {
     f.write = [member](void* o, const Value& value) {
       const auto& v = std::get<std::vector<double>>(value);
       for (int i = 0; i < N; ++i) (self(o).*member)[i] = v[static_cast<std::size_t>(i)];
+    };
+    return FieldBuilder(f);
+  }
+
+  /// A vector of as many components as its owner needs, from `least` to `most`, named by their
+  /// numbers from 1; one unit for all.
+  FieldBuilder vector(std::string key, std::vector<double> T::*member, std::size_t least,
+                      std::size_t most, std::string label, std::string symbol, std::string unit) {
+    Field& f = add(Kind::Vector, std::move(key), std::move(label), std::move(symbol));
+    f.unit = f.displayUnit = std::move(unit);
+    f.leastSize = least;
+    f.size = most;
+    for (std::size_t i = 1; i <= most; ++i) f.componentNames.push_back(std::to_string(i));
+    f.read = [member](const void* o) { return Value{self(o).*member}; };
+    f.write = [member](void* o, const Value& value) {
+      self(o).*member = std::get<std::vector<double>>(value);
     };
     return FieldBuilder(f);
   }
@@ -215,6 +231,15 @@ class Builder {
       v.insert(v.begin() + static_cast<std::ptrdiff_t>(i), E{});
     };
     return FieldBuilder(f);
+  }
+
+  /// `follow(object)` changes the member at the path `field`, a list, a group or a variant, so that
+  /// `fits(object)` holds.
+  void follows(std::string field, std::function<bool(const T&)> fits,
+               std::function<void(T&)> follow) {
+    type_.followers.push_back({[fits = std::move(fits)](const void* o) { return fits(self(o)); },
+                               std::move(field),
+                               [follow = std::move(follow)](void* o) { follow(self(o)); }});
   }
 
   /// A rule over several members: `rule(object, problems)` appends a Problem whose path is relative

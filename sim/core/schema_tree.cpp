@@ -98,6 +98,12 @@ class PathFinder {
     rest_.remove_prefix(1);
   }
 
+  /// How many the vector has now.
+  [[nodiscard]] std::size_t components(const Field& field) const {
+    if (field.leastSize == field.size) return field.size;
+    return std::get<std::vector<double>>(field.read(owner_)).size();
+  }
+
   Location component(const Field& field) {
     if (field.kind != Kind::Vector) {
       takeDot();
@@ -106,12 +112,13 @@ class PathFinder {
     }
     const std::string path = path_;
     if (rest_.front() == '[') {
-      const std::size_t index = takeIndex(field.size);
+      const std::size_t index = takeIndex(components(field));
       if (!rest_.empty()) failShape();
       return {&field, owner_, path + "." + field.componentNames[index], index};
     }
     takeDot();
-    const auto& names = field.componentNames;
+    std::vector<std::string> names = field.componentNames;
+    names.resize(components(field));
     const auto found = std::find(names.begin(), names.end(), rest_);
     if (found == names.end()) failUnknownComponent(names);
     return {&field, owner_, joinPath(path, rest_), static_cast<std::size_t>(found - names.begin())};
@@ -234,6 +241,28 @@ std::optional<Problem> assign(const Field& field, void* owner, const Value& valu
     field.write(owner, value);
   }
   return {};
+}
+
+namespace {
+
+void addLoose(Ref object, const std::string& path, std::vector<LooseFollower>& found) {
+  for (const auto& follower : object.type->followers) {
+    if (!follower.fits(object.object))
+      found.push_back({object, joinPath(path, follower.field), &follower});
+  }
+  for (const Field& field : object.type->fields) {
+    if (field.kind != Kind::Group && field.kind != Kind::Variant) continue;
+    addLoose({&field.childType(object.object, 0), field.child(object.object, 0)},
+             joinPath(path, field.key), found);
+  }
+}
+
+}  // namespace
+
+std::vector<LooseFollower> looseFollowers(Ref root) {
+  std::vector<LooseFollower> found;
+  addLoose(root, {}, found);
+  return found;
 }
 
 }  // namespace rotorbench::schema

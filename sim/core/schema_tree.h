@@ -63,6 +63,15 @@ void walk(
     ConstRef root,
     const std::function<void(const std::string& path, const Field&, const void* owner)>& visit);
 
+/// A member that no longer fits the rest of its struct; see Type::Follower.
+struct LooseFollower {
+  Ref owner;
+  std::string path;  ///< of the member
+  const Type::Follower* follower;
+};
+/// All below `root`; the elements of lists are not searched.
+std::vector<LooseFollower> looseFollowers(Ref root);
+
 /// What differs between two documents of one type: leaf paths with both values as shown to people
 /// ("—" where one document has no such parameter).
 struct Difference {

@@ -56,10 +56,10 @@ Found checkNumber(const Field& field, const Value& value, std::string& path) {
 }
 
 Found checkVector(const Field& field, const Value& value, std::string& path) {
-  const std::string need = "must be " + std::to_string(field.size) + " numbers";
+  const std::string need = "must be " + field.sizeText() + " numbers";
   const auto* numbers = std::get_if<std::vector<double>>(&value);
   if (numbers == nullptr) return Problem{path, given(value) + " is not a list of numbers", need};
-  if (numbers->size() != field.size) {
+  if (numbers->size() < field.leastSize || numbers->size() > field.size) {
     return Problem{path, "this has " + std::to_string(numbers->size()) + " numbers", need};
   }
   for (std::size_t i = 0; i < numbers->size(); ++i) {
@@ -136,6 +136,11 @@ std::string Range::sentence(std::string_view siUnit, std::string_view shownUnit)
             numberTextIn(high.value, factor);
   }
   return text.empty() ? "any finite number" : withUnit(text, unit);
+}
+
+std::string Field::sizeText() const {
+  const std::string most = std::to_string(size);
+  return leastSize == size ? most : std::to_string(leastSize) + " to " + most;
 }
 
 const Field* Type::field(std::string_view wanted) const {

@@ -4,6 +4,26 @@
 
 namespace rotorbench {
 
+namespace {
+
+/// Calls f(values, path below the flight) for every instant of inputs laid down in advance.
+template <class AnyFlight, class F>
+void forEachInput(AnyFlight& flight, F&& f) {
+  const auto below = [&](auto& values, const std::string& path) { f(values, "control." + path); };
+  if (auto* speeds = std::get_if<SpeedInputs>(&flight.control)) forEachInstant(*speeds, below);
+  if (auto* voltages = std::get_if<VoltageInputs>(&flight.control))
+    forEachInstant(*voltages, below);
+}
+
+bool hasInputsForEachRotor(const Flight& flight) {
+  const auto rotors = static_cast<std::size_t>(rotorCount(flight.vehicle.layout));
+  bool all = true;
+  forEachInput(flight, [&](const auto& values, const auto&) { all &= values.size() == rotors; });
+  return all;
+}
+
+}  // namespace
+
 void Describe<Flight>::fields(schema::Builder<Flight>& b) {
   b.title("flight", "Flight",
           "A multirotor flown by a controller or by inputs laid down in advance.");
@@ -21,7 +41,17 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
           "at its end.");
   b.number("duration", &Flight::duration, "Duration", "T", "s")
       .range(schema::above(0), schema::upTo(36000));
+  b.follows("control", hasInputsForEachRotor, [](Flight& f) {
+    const auto rotors = static_cast<std::size_t>(rotorCount(f.vehicle.layout));
+    forEachInput(f, [&](auto& values, const auto&) { values.resize(rotors, values.back()); });
+  });
   b.check([](const Flight& f, std::vector<Problem>& problems) {
+    const int rotors = rotorCount(f.vehicle.layout);
+    forEachInput(f, [&](const auto& values, const std::string& path) {
+      if (static_cast<int>(values.size()) == rotors) return;
+      problems.push_back({path, "has " + std::to_string(values.size()) + " values",
+                          std::to_string(rotors) + ", one for each rotor of the layout"});
+    });
     if (f.tick > f.duration)
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
   });

@@ -3,13 +3,14 @@
 // (rotor speed, motor voltage).
 #pragma once
 
-#include <Eigen/Core>
 #include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
 #include "sim/core/schema.h"
 #include "sim/signal/input_signal.h"
+#include "sim/signal/signals.h"
 
 namespace rotorbench {
 
@@ -32,16 +33,22 @@ struct MotorVoltageQuantity {
   static constexpr double kDefault = 5, kLow = -1000, kHigh = 1000;
 };
 
+/// One value per rotor, in the order of their numbers.
+template <class Quantity>
+std::vector<double> defaultInputs() {
+  return std::vector<double>(4, Quantity::kDefault);
+}
+
 template <class Quantity>
 struct ConstantInputs {
-  Eigen::Vector4d values = Eigen::Vector4d::Constant(Quantity::kDefault);
+  std::vector<double> values = defaultInputs<Quantity>();
   bool operator==(const ConstantInputs&) const = default;
 };
 
 template <class Quantity>
 struct InputRow {
   double time = 0;  ///< s
-  Eigen::Vector4d values = Eigen::Vector4d::Constant(Quantity::kDefault);
+  std::vector<double> values = defaultInputs<Quantity>();
   bool operator==(const InputRow&) const = default;
 };
 
@@ -52,7 +59,7 @@ struct TableInputs {
   bool operator==(const TableInputs&) const = default;
 };
 
-/// Five columns: time in s, then one per rotor. Units may stand in the header: "rotor1 [rpm]".
+/// Columns: time in s, then one per rotor. Units may stand in the header: "rotor1 [rpm]".
 template <class Quantity>
 struct CsvInputs {
   std::string file;
@@ -60,8 +67,9 @@ struct CsvInputs {
   bool operator==(const CsvInputs&) const = default;
 };
 
-template <class Quantity>
+template <class Q>
 struct PrescribedInputs {
+  using Quantity = Q;
   std::variant<ConstantInputs<Quantity>, TableInputs<Quantity>, CsvInputs<Quantity>> source;
   bool operator==(const PrescribedInputs&) const = default;
 };
@@ -73,8 +81,8 @@ template <class Q>
 struct Describe<ConstantInputs<Q>> {
   static void fields(schema::Builder<ConstantInputs<Q>>& b) {
     b.title("constant", "Constant", "The same values from start to end.");
-    b.vector(Q::kValues, &ConstantInputs<Q>::values, Q::kValuesLabel, Q::kSymbol, Q::kUnit)
-        .components({"1", "2", "3", "4"})
+    b.vector(Q::kValues, &ConstantInputs<Q>::values, 4, kMostRotors, Q::kValuesLabel, Q::kSymbol,
+             Q::kUnit)
         .range(schema::atLeast(Q::kLow), schema::upTo(Q::kHigh))
         .shownIn(Q::kShownIn)
         .help("One value per rotor, in the order of their numbers.");
@@ -87,8 +95,8 @@ struct Describe<InputRow<Q>> {
     b.title("row", "Row", "Values from one instant on.");
     b.number("time", &InputRow<Q>::time, "Time", "t", "s")
         .range(schema::atLeast(0), schema::upTo(1e6));
-    b.vector(Q::kValues, &InputRow<Q>::values, Q::kValuesLabel, Q::kSymbol, Q::kUnit)
-        .components({"1", "2", "3", "4"})
+    b.vector(Q::kValues, &InputRow<Q>::values, 4, kMostRotors, Q::kValuesLabel, Q::kSymbol,
+             Q::kUnit)
         .range(schema::atLeast(Q::kLow), schema::upTo(Q::kHigh))
         .shownIn(Q::kShownIn);
   }
@@ -122,9 +130,8 @@ struct Describe<CsvInputs<Q>> {
     b.text("file", &CsvInputs<Q>::file, "File")
         .role(schema::TextRole::FilePath)
         .help(
-            "Five columns: time in s, then one value per rotor. A unit may stand in the header in "
-            "brackets. A "
-            "relative path starts at the folder of the experiment file.");
+            "Time in s in the first column, then one column per rotor. A unit may stand in the "
+            "header in brackets. A relative path starts at the folder of the experiment file.");
     b.choice("interpolation", &CsvInputs<Q>::interpolation, "Between the rows", interpolations());
   }
 };
@@ -136,5 +143,24 @@ struct Describe<PrescribedInputs<Q>> {
     b.variant("source", &PrescribedInputs<Q>::source, "Source");
   }
 };
+
+/// Calls f(values, path) for the values of every instant that the experiment holds; the path is
+/// below the inputs.
+template <class Inputs, class F>
+void forEachInstant(Inputs& inputs, F&& f) {
+  using Source = std::remove_const_t<Inputs>;
+  std::visit(
+      [&]<class S>(S& source) {
+        if constexpr (requires { source.values; }) {
+          f(source.values, std::string("source.") + Source::Quantity::kValues);
+        } else if constexpr (requires { source.rows; }) {
+          for (std::size_t i = 0; i < source.rows.size(); ++i) {
+            f(source.rows[i].values,
+              "source.rows[" + std::to_string(i) + "]." + Source::Quantity::kValues);
+          }
+        }
+      },
+      inputs.source);
+}
 
 }  // namespace rotorbench

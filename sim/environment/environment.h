@@ -1,10 +1,13 @@
-// What surrounds the vehicle: gravity and air. SI units; altitude is z of the inertial frame (up),
-// m. Air is a variant of models; each has a parameter struct, and the run evaluates AirConstants.
+// What surrounds the vehicle: gravity, the density of the air and its wind. SI units; inertial
+// frame x forward, y left, z up. Density and wind are variants of models; each has a parameter
+// struct, and the run evaluates AirConstants.
 #pragma once
 
 #include <variant>
 
 #include "sim/core/schema.h"
+#include "sim/environment/air.h"
+#include "sim/environment/wind.h"
 
 namespace rotorbench {
 
@@ -14,31 +17,32 @@ struct UniformAir {
   bool operator==(const UniformAir&) const = default;
 };
 
-using AirModel = std::variant<UniformAir>;
+/// Air that gets thinner with height, as the standard atmosphere.
+struct StandardAir {
+  double elevation = 0;  ///< m: of z = 0 above mean sea level
+  double warmer = 0;     ///< K above the standard at every height
+  bool operator==(const StandardAir&) const = default;
+};
+
+using AirModel = std::variant<UniformAir, StandardAir>;
 
 struct EnvironmentParameters {
   double gravity = 9.80665;  ///< m/s^2, acts along -z of the inertial frame
   AirModel air;
+  WindModel wind;
   bool operator==(const EnvironmentParameters&) const = default;
 };
 
-/// Air as the derivative sees it: nothing but numbers, over any scalar.
-struct AirConstants {
-  double seaLevelDensity = 1.225;  ///< kg/m^3
-
-  /// Density in kg/m^3 at an altitude in m.
-  template <class S>
-  [[nodiscard]] S density(const S& /*altitude*/) const {
-    return S(seaLevelDensity);
-  }
-};
-
-/// The constants of the chosen air model.
-AirConstants buildAir(const AirModel& model);
+/// The constants of the chosen models.
+AirConstants buildAir(const EnvironmentParameters& environment);
 
 template <>
 struct Describe<UniformAir> {
   static void fields(schema::Builder<UniformAir>& b);
+};
+template <>
+struct Describe<StandardAir> {
+  static void fields(schema::Builder<StandardAir>& b);
 };
 
 template <>

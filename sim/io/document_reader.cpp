@@ -192,7 +192,7 @@ class DocumentReader {
       case Kind::Choice:
         return schema::allowedOptions(field.options, {});
       case Kind::Vector:
-        return "must be a list of " + std::to_string(field.size) + " numbers";
+        return "must be a list of " + field.sizeText() + " numbers";
       default:
         return "must be " + field.range.sentence(field.unit, field.displayUnit);
     }
@@ -219,7 +219,7 @@ class DocumentReader {
 
   std::optional<schema::Value> vectorValue(const Field& field, const JsonValue::Array& array,
                                            const std::string& path) {
-    if (array.size() != field.size) {
+    if (array.size() < field.leastSize || array.size() > field.size) {
       report(path, "this list has " + std::to_string(array.size()) + " elements",
              whatIsAllowed(field));
       return {};

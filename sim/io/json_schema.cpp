@@ -161,7 +161,7 @@ class SchemaWriter {
       case Kind::Vector:
         return {{"type", "array"},
                 {"items", quantity(field)},
-                {"minItems", field.size},
+                {"minItems", field.leastSize},
                 {"maxItems", field.size}};
       case Kind::Group:
         return reference(field.childType(owner, 0), {}, field.constChild(owner, 0));

@@ -24,6 +24,7 @@ struct PartsOf {
   const Flight& flight;
   const BuildContext& context;
   Place vehicle = context.place / "vehicle", control = context.place / "control";
+  int rotors = rotorCount(flight.vehicle.layout);
 
   FlightParts operator()(const ControlledInputs& inputs) const {
     const auto factory = [&](const ControlModel& model) {
@@ -33,12 +34,12 @@ struct PartsOf {
     return controlledFlight(flight, inputs, context, factory);
   }
   FlightParts operator()(const SpeedInputs& inputs) const {
-    auto signal = loadInputs(inputs, context.directory, control);
+    auto signal = loadInputs(inputs, rotors, context.directory, control);
     return prescribed(RotorDrive::PrescribedSpeeds,
                       std::make_unique<SpeedInputTask>(std::move(signal)));
   }
   FlightParts operator()(const VoltageInputs& inputs) const {
-    auto signal = loadInputs(inputs, context.directory, control);
+    auto signal = loadInputs(inputs, rotors, context.directory, control);
     return prescribed(RotorDrive::Motors, std::make_unique<VoltageInputTask>(std::move(signal)));
   }
 

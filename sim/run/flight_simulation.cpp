@@ -18,10 +18,10 @@ FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& o
       scheduler_(std::move(parts.tasks), Signal::Truth),
       held_(std::move(parts.held)),
       timeline_(std::move(parts.timeline)),
+      board_(plant_->rotors()),
       watch_(held_, board_),
       every_(ticksPerRow(outputs, flight.tick)),
       ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
-  board_.rotors = plant_->rotors();
   std::vector<Channel> channels{{"time", "s", "Simulated time"}};
   for (auto& c : plant_->channels()) channels.push_back(std::move(c));
   firstOfTasks_ = channels.size();

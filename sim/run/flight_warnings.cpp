@@ -38,7 +38,7 @@ void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
   for (const auto& [path, rotor] : rotors) {
     const MotorConstants motor = buildMotor(rotor.motor);
     if (rotor.esc.responseTime > 0) lag = std::max(lag, 1 / rotor.esc.responseTime);
-    const double coupled = kVehicleRotors * supply.resistance;
+    const double coupled = rotorCount(flight.vehicle.layout) * supply.resistance;
     shared = std::max(shared, coupled * motor.inverseInductance);
     // Friction is steepest at rest.
     const double drag = motor.viscousFriction + motor.dryFriction / kFrictionSpeed;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/analysis/trim.h"
 #include "sim/core/number_text.h"
 #include "sim/numerics/bracketed_root.h"
 #include "sim/vehicle/multirotor.h"
@@ -10,9 +11,6 @@
 namespace rotorbench {
 
 namespace {
-
-using Constants = MultirotorConstants<kVehicleRotors>;
-using Plant = Multirotor<kVehicleRotors, RotorDrive::Motors>;
 
 std::string three(double value) {
   return shortNumber(value, 3);
@@ -23,18 +21,19 @@ void useBladeElements(RotorAerodynamics& aerodynamics) {
     aerodynamics = BladeElementPropeller{map->propeller, map->settings};
 }
 
-/// The first thing that is missing for a hover at these rotor speeds, or nothing.
-std::string missingFor(const Constants& c, const Plant::Command& speeds) {
-  const double density = c.air.density(0.0);
+/// The first thing that is missing for a hover, or nothing.
+template <int N>
+std::string missingFor(const MultirotorConstants<N>& c, const Trim& hover) {
   double power = 0, mostVoltage = 0;
   int mostRotor = 0;
-  for (int i = 0; i < kVehicleRotors; ++i) {
+  for (int i = 0; i < N; ++i) {
     const auto& hub = c.hubs[static_cast<std::size_t>(i)];
-    const double current =
-        hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
-    const double voltage = hub.drive().steadyVoltage(speeds[i], current);
+    const double speed = hover.speeds[i];
+    const double torque = hub.rotor.atRest(speed, c.air.density(0.0)).torque;
+    const double current = hub.motor.steadyCurrent(speed, torque);
+    const double voltage = hub.drive().steadyVoltage(speed, current);
     if (current > hub.motor.maxCurrent) {
-      return "rotor " + std::to_string(i + 1) + " needs " + three(speeds[i]) + " rad/s and " +
+      return "rotor " + std::to_string(i + 1) + " needs " + three(speed) + " rad/s and " +
              three(current) + " A, and its limit is " + three(hub.motor.maxCurrent) + " A";
     }
     power += voltage * current;
@@ -60,7 +59,8 @@ std::string missingFor(const Constants& c, const Plant::Command& speeds) {
 
 /// N along the vehicle's vertical with every rotor at full throttle at rest. Torques at other
 /// speeds than that of the hover are taken as its square.
-double fullThrottleLift(const Constants& c) {
+template <int N>
+double fullThrottleLift(const MultirotorConstants<N>& c) {
   const double density = c.air.density(0.0);
   struct Full {
     double lift = 0, current = 0;
@@ -86,6 +86,32 @@ double fullThrottleLift(const Constants& c) {
   return at(bracketedRoot(surplus, low, surplus(low), open, top, 1e-6 * open)).lift;
 }
 
+/// How a flight comes to need a hover.
+struct Need {
+  bool flown;   ///< a controller is to hold the vehicle
+  bool starts;  ///< it begins in one
+};
+
+template <int N>
+void warnOf(const MultirotorConstants<N>& c, const Need& need, std::vector<Problem>& problems) {
+  const std::string missing = missingFor(c, hoverToStartIn(c));
+  if (missing.empty()) return;
+  if (need.flown) {
+    const double lift = fullThrottleLift(c);
+    problems.push_back({"vehicle.rotors",
+                        "cannot hold the vehicle in a hover: " + missing +
+                            "; at full throttle they lift about " + three(lift) + " N of its " +
+                            three(c.mass * c.gravity) + " N",
+                        "stronger rotors, or at most " + three(lift / c.gravity) + " kg", true});
+  }
+  if (need.starts) {
+    problems.push_back({"start.rotors", "begins in a hover that the motors cannot hold: " + missing,
+                        "rotors that stand still or turn at a given speed, or a vehicle that "
+                        "can hover",
+                        true});
+  }
+}
+
 }  // namespace
 
 VehicleParameters withoutMaps(VehicleParameters vehicle) {
@@ -105,25 +131,10 @@ void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
   const bool starts = flight.start.rotors == RotorStart::Hover;
   if (!flown && !starts) return;
   try {
-    const Constants c =
-        buildMultirotor<kVehicleRotors>(withoutMaps(flight.vehicle), flight.environment);
-    const std::string missing = missingFor(c, Plant(c).hoverSpeeds());
-    if (missing.empty()) return;
-    if (flown) {
-      const double lift = fullThrottleLift(c);
-      problems.push_back({"vehicle.rotors",
-                          "cannot hold the vehicle in a hover: " + missing +
-                              "; at full throttle they lift about " + three(lift) + " N of its " +
-                              three(c.mass * c.gravity) + " N",
-                          "stronger rotors, or at most " + three(lift / c.gravity) + " kg", true});
-    }
-    if (starts) {
-      problems.push_back({"start.rotors",
-                          "begins in a hover that the motors cannot hold: " + missing,
-                          "rotors that stand still or turn at a given speed, or a vehicle that "
-                          "can hover",
-                          true});
-    }
+    withRotorCount(rotorCount(flight.vehicle.layout), [&](auto count) {
+      warnOf(buildMultirotor<count>(withoutMaps(flight.vehicle), flight.environment),
+             {flown, starts}, problems);
+    });
   } catch (const InputError& error) {
     // A start in a hover that does not exist, or a vehicle that cannot be built, is refused when
     // the run is built.

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "sim/signal/input_signal.h"
+#include "sim/run/load_inputs.h"
 #include "sim/signal/task.h"
 
 namespace rotorbench {
@@ -13,35 +13,35 @@ namespace rotorbench {
 /// an infinitely strong motor would.
 class SpeedInputTask final : public Task {
  public:
-  explicit SpeedInputTask(InputSignal signal) : Task("inputs", {}), signal_(std::move(signal)) {}
+  explicit SpeedInputTask(RotorInputs signal) : Task("inputs", {}), signal_(std::move(signal)) {}
   [[nodiscard]] SignalUse uses() const override {
     return {.reads = {}, .writes = Signal::RotorCommand, .readsEarlier = {}};
   }
   void act(const ClockTick& tick, Board& board, double* /*row*/) override {
-    const Eigen::Vector4d now = signal_.at(tick.time);
-    board.command.value.head<4>() = now;
+    const PerRotor now = signal_.at(tick.time);
+    board.command.value = now;
     if (signal_.interpolation() == Interpolation::Linear)
-      board.command.rate.head<4>() = (signal_.at(tick.time + tick.length) - now) / tick.length;
+      board.command.rate = (signal_.at(tick.time + tick.length) - now) / tick.length;
   }
 
  private:
-  InputSignal signal_;
+  RotorInputs signal_;
 };
 
 /// Applies motor voltages as duties of the supply's open-circuit voltage, so an internal resistance
 /// lowers them under load; what the supply cannot give is cut off.
 class VoltageInputTask final : public Task {
  public:
-  explicit VoltageInputTask(InputSignal signal) : Task("inputs", {}), signal_(std::move(signal)) {}
+  explicit VoltageInputTask(RotorInputs signal) : Task("inputs", {}), signal_(std::move(signal)) {}
   [[nodiscard]] SignalUse uses() const override {
     return {.reads = Signal::Truth, .writes = Signal::RotorCommand, .readsEarlier = {}};
   }
   void act(const ClockTick& tick, Board& board, double* /*row*/) override {
-    board.command.value.head<4>() = signal_.at(tick.time) / board.truth.openCircuit;
+    board.command.value = signal_.at(tick.time) / board.truth.openCircuit;
   }
 
  private:
-  InputSignal signal_;
+  RotorInputs signal_;
 };
 
 }  // namespace rotorbench

@@ -9,17 +9,24 @@ namespace rotorbench {
 
 namespace {
 
+PerRotor lanesOf(const std::vector<double>& values) {
+  PerRotor lanes = PerRotor::Zero();
+  for (std::size_t i = 0; i < values.size(); ++i) lanes[static_cast<int>(i)] = values[i];
+  return lanes;
+}
+
 template <class Quantity>
-InputSignal fromCsv(const CsvInputs<Quantity>& csv, const std::filesystem::path& directory,
-                    const Place& place) {
+RotorInputs fromCsv(const CsvInputs<Quantity>& csv, int rotors,
+                    const std::filesystem::path& directory, const Place& place) {
   if (csv.file.empty()) throw place.error({{"source.file", "no file is named", "a CSV file"}});
   const CsvTable table = readCsvFile(directory / csv.file);
-  if (table.columns.size() != 5) {
-    throw InputError(table.source, {{"", "has " + std::to_string(table.columns.size()) + " columns",
-                                     "five: time, then one per rotor"}});
+  if (table.columns.size() != static_cast<std::size_t>(rotors) + 1) {
+    throw InputError(table.source,
+                     {{"", "has " + std::to_string(table.columns.size()) + " columns",
+                       std::to_string(rotors + 1) + ": time, then one for each rotor"}});
   }
   const auto time = table.values(table.columns.front().name, "s");
-  std::vector<InputSignal::Sample> samples(time.size());
+  std::vector<RotorInputs::Sample> samples(time.size(), {0, PerRotor::Zero()});
   for (std::size_t r = 0; r < time.size(); ++r) {
     samples[r].time = time[r];
     if (r > 0 && time[r] <= time[r - 1]) {
@@ -28,7 +35,7 @@ InputSignal fromCsv(const CsvInputs<Quantity>& csv, const std::filesystem::path&
                          "times must rise from row to row"}});
     }
   }
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < rotors; ++i) {
     const auto values =
         table.values(table.columns[static_cast<std::size_t>(i) + 1].name, Quantity::kUnit);
     for (std::size_t r = 0; r < values.size(); ++r) {
@@ -47,29 +54,28 @@ InputSignal fromCsv(const CsvInputs<Quantity>& csv, const std::filesystem::path&
 }
 
 template <class Quantity>
-InputSignal load(const PrescribedInputs<Quantity>& inputs, const std::filesystem::path& directory,
-                 const Place& place) {
-  if (const auto* constant = std::get_if<ConstantInputs<Quantity>>(&inputs.source)) {
-    return {{{0, constant->values}}, Interpolation::Hold};
-  }
+RotorInputs load(const PrescribedInputs<Quantity>& inputs, int rotors,
+                 const std::filesystem::path& directory, const Place& place) {
+  if (const auto* constant = std::get_if<ConstantInputs<Quantity>>(&inputs.source))
+    return {{{0, lanesOf(constant->values)}}, Interpolation::Hold};
   if (const auto* csv = std::get_if<CsvInputs<Quantity>>(&inputs.source))
-    return fromCsv(*csv, directory, place);
+    return fromCsv(*csv, rotors, directory, place);
   const auto& table = std::get<TableInputs<Quantity>>(inputs.source);
-  std::vector<InputSignal::Sample> samples;
+  std::vector<RotorInputs::Sample> samples;
   samples.reserve(table.rows.size());
-  for (const auto& row : table.rows) samples.push_back({row.time, row.values});
+  for (const auto& row : table.rows) samples.push_back({row.time, lanesOf(row.values)});
   return {std::move(samples), table.interpolation};
 }
 
 }  // namespace
 
-InputSignal loadInputs(const SpeedInputs& inputs, const std::filesystem::path& directory,
-                       const Place& place) {
-  return load(inputs, directory, place);
+RotorInputs loadInputs(const SpeedInputs& inputs, int rotors,
+                       const std::filesystem::path& directory, const Place& place) {
+  return load(inputs, rotors, directory, place);
 }
-InputSignal loadInputs(const VoltageInputs& inputs, const std::filesystem::path& directory,
-                       const Place& place) {
-  return load(inputs, directory, place);
+RotorInputs loadInputs(const VoltageInputs& inputs, int rotors,
+                       const std::filesystem::path& directory, const Place& place) {
+  return load(inputs, rotors, directory, place);
 }
 
 }  // namespace rotorbench

@@ -9,11 +9,14 @@
 
 namespace rotorbench {
 
+/// One value per rotor; lanes beyond the number of rotors are 0.
+using RotorInputs = InputSignal<PerRotor>;
+
 /// Reads the source; files are looked for relative to `directory`. The inputs are described at
 /// `place`. Throws InputError (missing file, wrong columns, times that do not rise).
-InputSignal loadInputs(const SpeedInputs& inputs, const std::filesystem::path& directory,
-                       const Place& place = {});
-InputSignal loadInputs(const VoltageInputs& inputs, const std::filesystem::path& directory,
-                       const Place& place = {});
+RotorInputs loadInputs(const SpeedInputs& inputs, int rotors,
+                       const std::filesystem::path& directory, const Place& place = {});
+RotorInputs loadInputs(const VoltageInputs& inputs, int rotors,
+                       const std::filesystem::path& directory, const Place& place = {});
 
 }  // namespace rotorbench

@@ -22,13 +22,12 @@ constexpr int kCurvePoints = 201;
 class ThrottleCommander {
  public:
   explicit ThrottleCommander(const MotorBench& bench) {
-    std::vector<InputSignal::Sample> samples;
-    for (const ThrottleStep& step : bench.throttle)
-      samples.push_back({step.time, Eigen::Vector4d::Constant(step.throttle)});
-    signal_ = InputSignal(std::move(samples), bench.interpolation);
+    std::vector<InputSignal<double>::Sample> samples;
+    for (const ThrottleStep& step : bench.throttle) samples.push_back({step.time, step.throttle});
+    signal_ = InputSignal<double>(std::move(samples), bench.interpolation);
   }
   double throttle(double t, const DriveTrain& /*train*/, const DriveTrain::State& /*y*/) {
-    return signal_.at(t)[0];
+    return signal_.at(t);
   }
   [[nodiscard]] static std::vector<Channel> channels() { return {}; }
   static void row(double* /*out*/) {}
@@ -66,7 +65,7 @@ class ThrottleCommander {
                        motor.inductance / motor.resistance});
   }
 
-  InputSignal signal_;
+  InputSignal<double> signal_;
 };
 
 class MotorBenchSimulation final : public DriveSimulation<ThrottleCommander> {

@@ -6,9 +6,11 @@
 #include <utility>
 #include <vector>
 
+#include "sim/analysis/trim.h"
 #include "sim/document/flight.h"
 #include "sim/ode/solver.h"
 #include "sim/run/delayed_commands.h"
+#include "sim/run/multirotor_plants.h"
 #include "sim/run/plant_handle.h"
 #include "sim/vehicle/multirotor_outputs.h"
 
@@ -26,7 +28,7 @@ class MultirotorHandle final : public PlantHandle {
   MultirotorHandle(const MultirotorConstants<kRotors>& constants, const Flight& flight)
       : plant_(constants),
         solver_(flight.solver, plant_),
-        y_(plant_.initialState(flight.start)),
+        y_(initialState(plant_, flight.start)),
         commands_(deadTimes(constants), flight.tick),
         tick_(flight.tick) {
     // Until the first command acts, the one that brought the rotors to their speeds does.
@@ -46,7 +48,7 @@ class MultirotorHandle final : public PlantHandle {
   [[nodiscard]] std::vector<Channel> channels() const override {
     std::vector<Channel> all;
     visitMultirotorOutputs<Plant>(
-        y_, forces_,
+        plant_.constants().air, y_, forces_,
         [&](int rotor, const char* name, const char* unit, const char* description, double) {
           all.push_back({rotor == 0 ? name : rotorChannel(rotor, name), unit, description});
         });
@@ -54,12 +56,12 @@ class MultirotorHandle final : public PlantHandle {
   }
   void row(double* out) const override {
     visitMultirotorOutputs<Plant>(
-        y_, forces_,
+        plant_.constants().air, y_, forces_,
         [&](int, const char*, const char*, const char*, double value) { *out++ = value; });
   }
 
   void observe(Truth& truth) override {
-    plant_.derivativeAndForces(y_, derivative_, forces_);
+    plant_.derivativeAndForces(time(), y_, derivative_, forces_);
     truth.body = {y_.template segment<3>(Layout::kPosition),
                   y_.template segment<3>(Layout::kVelocity), forces_.attitude, forces_.rates};
     truth.specificForce = forces_.specificForce;
@@ -91,6 +93,15 @@ class MultirotorHandle final : public PlantHandle {
   }
 
  private:
+  /// A vehicle that hovers only at a tilt begins at it, unless it is given one.
+  static State initialState(const Plant& plant, FlightStart start) {
+    if (start.rotors != RotorStart::Hover) return plant.initialState(start);
+    const Trim hover = hoverToStartIn(plant.constants());
+    if (start.attitude.x() == 0 && start.attitude.y() == 0)
+      start.attitude.head<2>() << hover.roll, hover.pitch;
+    return plant.initialState(start, hover.speeds.template head<kRotors>());
+  }
+
   static std::array<double, kRotors> deadTimes(const MultirotorConstants<kRotors>& constants) {
     std::array<double, kRotors> times{};
     for (std::size_t i = 0; kMotors && i < times.size(); ++i) times[i] = constants.hubs[i].deadTime;
@@ -119,7 +130,7 @@ class MultirotorHandle final : public PlantHandle {
           rate != plant_.command() || value != y_.template segment<kRotors>(Layout::kSpeed);
       plant_.setCommand(rate);
       Plant::setRotorSpeeds(y_, value);
-      if (jumped) plant_.derivativeAndForces(y_, derivative_, forces_);
+      if (jumped) plant_.derivativeAndForces(tick.time, y_, derivative_, forces_);
       return jumped;
     }
   }
@@ -132,5 +143,14 @@ class MultirotorHandle final : public PlantHandle {
   MultirotorForces<kRotors> forces_{};
   std::int64_t startEvaluations_ = 0;  ///< derivatives handed to the solver as the start of a step
 };
+
+template <int N>
+std::unique_ptr<PlantHandle> makeMultirotor(const Flight& flight, RotorDrive drive) {
+  const auto constants = buildMultirotor<N>(flight.vehicle, flight.environment);
+  if (drive == RotorDrive::Motors)
+    return std::make_unique<MultirotorHandle<Multirotor<N, RotorDrive::Motors>>>(constants, flight);
+  return std::make_unique<MultirotorHandle<Multirotor<N, RotorDrive::PrescribedSpeeds>>>(constants,
+                                                                                         flight);
+}
 
 }  // namespace rotorbench

@@ -1,6 +1,7 @@
 #include "sim/run/plant_handle.h"
 
-#include "sim/run/multirotor_handle.h"
+#include "sim/run/multirotor_plants.h"
+#include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {
 
@@ -44,21 +45,18 @@ auto at(const Place& place, Make&& make) {
 
 std::unique_ptr<PlantHandle> makePlant(const Flight& flight, RotorDrive drive,
                                        const Place& vehicle) {
-  return at(vehicle, [&]() -> std::unique_ptr<PlantHandle> {
-    const auto constants = buildMultirotor<kVehicleRotors>(flight.vehicle, flight.environment);
-    if (drive == RotorDrive::Motors)
-      return std::make_unique<MultirotorHandle<Multirotor<kVehicleRotors, RotorDrive::Motors>>>(
-          constants, flight);
-    return std::make_unique<
-        MultirotorHandle<Multirotor<kVehicleRotors, RotorDrive::PrescribedSpeeds>>>(constants,
-                                                                                    flight);
+  return at(vehicle, [&] {
+    return withRotorCount(rotorCount(flight.vehicle.layout),
+                          [&](auto count) { return makeMultirotor<count>(flight, drive); });
   });
 }
 
 ControlModel controlModel(const VehicleParameters& vehicle,
                           const EnvironmentParameters& environment, const Place& place) {
   return at(place, [&] {
-    return controlModelOf(buildMultirotor<kVehicleRotors>(vehicle, environment, true));
+    return withRotorCount(rotorCount(vehicle.layout), [&](auto count) {
+      return controlModelOf(buildMultirotor<count>(vehicle, environment, true));
+    });
   });
 }
 

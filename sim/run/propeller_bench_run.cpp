@@ -13,20 +13,20 @@ namespace rotorbench {
 
 namespace {
 
-InputSignal signalOf(const PropellerBench& bench) {
-  std::vector<InputSignal::Sample> samples;
-  for (const PropellerSpeedRow& row : bench.speeds)
-    samples.push_back({row.time, Eigen::Vector4d::Constant(row.speed)});
+using Signal = InputSignal<double>;
+
+Signal signalOf(const PropellerBench& bench) {
+  std::vector<Signal::Sample> samples;
+  for (const PropellerSpeedRow& row : bench.speeds) samples.push_back({row.time, row.speed});
   return {std::move(samples), bench.interpolation};
 }
 
-InputSignal streamOf(const PropellerBench& bench) {
+Signal streamOf(const PropellerBench& bench) {
   if (const auto* steady = std::get_if<SteadyStream>(&bench.stream))
-    return {{{0, Eigen::Vector4d::Constant(steady->speed)}}, Interpolation::Hold};
+    return {{{0, steady->speed}}, Interpolation::Hold};
   const auto& profile = std::get<StreamProfile>(bench.stream);
-  std::vector<InputSignal::Sample> samples;
-  for (const AirSpeedRow& row : profile.rows)
-    samples.push_back({row.time, Eigen::Vector4d::Constant(row.speed)});
+  std::vector<Signal::Sample> samples;
+  for (const AirSpeedRow& row : profile.rows) samples.push_back({row.time, row.speed});
   return {std::move(samples), profile.interpolation};
 }
 
@@ -99,14 +99,14 @@ class PropellerBenchSimulation final : public SimulationBase {
     if (last) end(SimulationState::Finished);
   }
   bool record(double t) {
-    const double w = speed_.at(t)[0], v = stream_.at(t)[0];
+    const double w = speed_.at(t), v = stream_.at(t);
     // Every propeller has the row, or none of them goes on.
     bool room = true;
     for (PropellerTrack& track : tracks_) room = track.record(t, w, v) && room;
     return room;
   }
 
-  InputSignal speed_, stream_;
+  Signal speed_, stream_;
   double duration_;
   std::int64_t every_, ticks_, done_ = 0;
   std::vector<PropellerTrack> tracks_;

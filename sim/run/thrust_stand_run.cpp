@@ -22,43 +22,41 @@ constexpr int kCurvePoints = 101;
 /// Two instants closer than this, in s, are one: ticks are sums of rounded numbers.
 constexpr double kSameInstant = 1e-9;
 
-InputSignal::Sample sample(double time, double throttle) {
-  return {time, Eigen::Vector4d::Constant(throttle)};
-}
+using Throttle = InputSignal<double>;
 
 /// The procedure as a signal of throttle, with the instants in s at which the gauges are read,
 /// rising.
 struct ThrottlePlan {
-  InputSignal signal;
+  Throttle signal;
   std::vector<double> readings;
 };
 
 struct PlanOf {
   ThrottlePlan operator()(const ThrottleLevels& p) const {
-    std::vector<InputSignal::Sample> samples;
+    std::vector<Throttle::Sample> samples;
     ThrottlePlan plan;
     for (const ThrottleLevel& level : p.levels) {
-      samples.push_back(sample(static_cast<double>(samples.size()) * p.holdTime, level.throttle));
+      samples.push_back({static_cast<double>(samples.size()) * p.holdTime, level.throttle});
       plan.readings.push_back(static_cast<double>(samples.size()) * p.holdTime);
     }
-    plan.signal = InputSignal(std::move(samples), Interpolation::Hold);
+    plan.signal = Throttle(std::move(samples), Interpolation::Hold);
     return plan;
   }
   ThrottlePlan operator()(const ThrottleSweep& p) const {
     ThrottlePlan plan;
     for (int k = 1; k <= p.readings; ++k) plan.readings.push_back(p.duration * k / p.readings);
-    plan.signal = InputSignal({sample(0, p.from), sample(p.duration, p.to)}, Interpolation::Linear);
+    plan.signal = Throttle({{0, p.from}, {p.duration, p.to}}, Interpolation::Linear);
     return plan;
   }
   ThrottlePlan operator()(const ThrottleRows& p) const {
-    std::vector<InputSignal::Sample> samples;
+    std::vector<Throttle::Sample> samples;
     ThrottlePlan plan;
     for (const ThrottleStep& row : p.rows) {
-      samples.push_back(sample(row.time, row.throttle));
+      samples.push_back({row.time, row.throttle});
       if (row.time > 0 && row.time < p.duration) plan.readings.push_back(row.time);
     }
     plan.readings.push_back(p.duration);
-    plan.signal = InputSignal(std::move(samples), p.interpolation);
+    plan.signal = Throttle(std::move(samples), p.interpolation);
     return plan;
   }
 };
@@ -91,7 +89,7 @@ class StandOperator {
   void writeTo(Recording& readings) { readings_ = &readings; }
 
   double throttle(double t, const DriveTrain& /*train*/, const DriveTrain::State& /*y*/) {
-    return plan_.signal.at(t + kSameInstant)[0];
+    return plan_.signal.at(t + kSameInstant);
   }
   void reached(double t, const DriveTrain& train, const DriveTrain::State& y) {
     for (; next_ < plan_.readings.size() && plan_.readings[next_] <= t + kSameInstant; ++next_)

@@ -20,8 +20,9 @@ constexpr Wanted kWanted[] = {
     {"setpoint.yaw", "rad", "Yaw wanted", &SetPointRow::yaw},
 };
 
-InputSignal signalOf(const std::vector<SetPointRow>& rows, Interpolation interpolation) {
-  std::vector<InputSignal::Sample> samples;
+InputSignal<Eigen::Vector4d> signalOf(const std::vector<SetPointRow>& rows,
+                                      Interpolation interpolation) {
+  std::vector<InputSignal<Eigen::Vector4d>::Sample> samples;
   samples.reserve(rows.size());
   for (const auto& row : rows)
     samples.push_back({row.time, {row.height, row.roll, row.pitch, row.yaw}});

@@ -22,7 +22,7 @@ class Timeline final : public Task {
   void act(const ClockTick& tick, Board& board, double* row) override;
 
  private:
-  InputSignal signal_;  ///< height, roll, pitch, yaw
+  InputSignal<Eigen::Vector4d> signal_;  ///< height, roll, pitch, yaw
 };
 
 /// When a set-point, named by its channel, changes, and to what.

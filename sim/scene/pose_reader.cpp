@@ -84,6 +84,7 @@ PoseReader::PoseReader(const SceneModel& model, const Recording& recording)
   }
   setPoint_ = findAll(recording, Names3{"setpoint.x", "setpoint.y", "setpoint.z"});
   if (setPoint_.empty()) setPoint_ = findAll(recording, std::array<std::string, 1>{"setpoint.z"});
+  wind_ = findAll(recording, Names3{"wind.x", "wind.y", "wind.z"});
   speed_ = findPerRotor(recording, model.rotors.size(), "speed");
   thrust_ = findPerRotor(recording, model.rotors.size(), "thrust");
 }
@@ -116,6 +117,7 @@ ScenePose PoseReader::at(double t) const {
   }
   for (const std::size_t channel : speed_) pose.rotorSpeed.push_back(read(channel));
   for (const std::size_t channel : thrust_) pose.rotorThrust.push_back(read(channel));
+  if (!wind_.empty()) pose.wind = Eigen::Vector3d(read(wind_[0]), read(wind_[1]), read(wind_[2]));
   if (setPoint_.size() == 3) {
     pose.setPoint = Eigen::Vector3d(read(setPoint_[0]), read(setPoint_[1]), read(setPoint_[2]));
   } else if (setPoint_.size() == 1) {

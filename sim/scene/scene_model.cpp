@@ -23,10 +23,10 @@ SceneRotor drawnRotor(const RotorPlacement& placement, double radius, int blades
 }
 
 std::optional<SceneModel> modelOf(const Flight& flight) {
-  const MassProperties body = massOf(flight.vehicle, 4);
+  const MassProperties body = massOf(flight.vehicle);
   SceneModel model;
   double reach = 0;
-  for (const auto& hub : rotorsOf(flight.vehicle, 4)) {
+  for (const auto& hub : rotorsOf(flight.vehicle)) {
     const double radius = rotorRadius(hub.rotor.aerodynamics);
     const PropellerGeometry* geometry = rotorGeometry(hub.rotor.aerodynamics);
     const int blades = geometry != nullptr ? geometry->blades : hub.rotor.blades;
@@ -37,10 +37,13 @@ std::optional<SceneModel> modelOf(const Flight& flight) {
     reach = std::max(reach, rotor.position.norm());
     model.rotors.push_back(std::move(rotor));
   }
+  const AirConstants air = buildAir(flight.environment);
+  if (air.moving) model.wind = air.velocity(0.0, flight.start.position.z());
   const auto* parts = std::get_if<PartsMass>(&flight.vehicle.mass);
   model.bodyRadius = parts != nullptr ? parts->bodyRadius : 0.3 * reach;
   // An arrow of full length is twice the thrust that carries the vehicle.
-  model.fullThrust = 2 * body.mass * flight.environment.gravity / 4;
+  model.fullThrust =
+      2 * body.mass * flight.environment.gravity / static_cast<double>(model.rotors.size());
   return model;
 }
 

@@ -36,9 +36,10 @@ struct SceneModel {
   std::string title;
   double bodyRadius = 0;
   std::vector<SceneRotor> rotors;
-  bool elasticArms = false;  ///< hubs move in the body frame: take them from the pose
-  double fullThrust = 1;     ///< N, scales the thrust arrows
-  bool onStand = false;      ///< stays where it is: one rotor that turns
+  bool elasticArms = false;             ///< hubs move in the body frame: take them from the pose
+  double fullThrust = 1;                ///< N, scales the thrust arrows
+  std::optional<Eigen::Vector3d> wind;  ///< m/s at the start, where the air moves
+  bool onStand = false;                 ///< stays where it is: one rotor that turns
 };
 
 /// Everything that moves, at one instant.
@@ -51,6 +52,7 @@ struct ScenePose {
   std::vector<double> rotorThrust;    ///< N along the rotor axis
   std::vector<Eigen::Vector3d> hubs;  ///< body frame, only with elasticArms
   std::optional<Eigen::Vector3d> setPoint;
+  std::optional<Eigen::Vector3d> wind;  ///< m/s of the air over the ground, where it moves
 };
 
 /// The drawing of the experiment's vehicle; empty if the experiment has none.
@@ -72,7 +74,7 @@ class PoseReader {
   bool valid_ = false;
   bool planar_ = false;
   bool onStand_ = false;
-  std::vector<std::size_t> position_, attitude_, setPoint_, speed_, thrust_, hub_;
+  std::vector<std::size_t> position_, attitude_, setPoint_, speed_, thrust_, hub_, wind_;
 };
 
 }  // namespace rotorbench

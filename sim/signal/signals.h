@@ -67,6 +67,11 @@ struct RotorCommand {
 
 /// All signals of one flight, held from tick to tick.
 struct Board {
+  Board() = default;
+  /// For a vehicle of so many rotors. A build with assertions fills the lanes beyond them with NaN,
+  /// which nobody may notice.
+  explicit Board(int count);
+
   int rotors = 0;
   Truth truth;
   Measurement measurement;

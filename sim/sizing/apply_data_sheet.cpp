@@ -111,11 +111,12 @@ DataSheet sheetOf(const Flight& flight) {
   sheet.esc = rotor.esc;
   sheet.supply = flight.vehicle.supply;
   sheet.inertia = GivenInertia{rotor.inertia};
-  sheet.propeller = propellerOf(rotor.aerodynamics, buildAir(flight.environment.air).density(0.0),
+  sheet.propeller = propellerOf(rotor.aerodynamics, buildAir(flight.environment).density(0.0),
                                 Supply(sheet.supply).openCircuit(1.0) * rotor.motor.speedConstant);
   sheet.vehicle.gravity = flight.environment.gravity;
+  sheet.vehicle.rotors = rotorCount(flight.vehicle.layout);
   try {
-    sheet.vehicle.mass = massOf(flight.vehicle, sheet.vehicle.rotors).mass;
+    sheet.vehicle.mass = massOf(flight.vehicle).mass;
   } catch (const InputError&) {
     // A vehicle with faults keeps the sheet's own mass; the experiment shows its problems itself.
     sheet.vehicle.mass = CarriedVehicle{}.mass;

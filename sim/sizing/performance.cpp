@@ -15,8 +15,8 @@ constexpr double kSpeedTolerance = 1e-7;
 
 double advanceRatio(const SteadyFlight& flight, const Trim& trim) {
   double most = 0;
-  for (int i = 0; i < kVehicleRotors; ++i) {
-    most = std::max(most, trim.speed / (trim.rotors[i] * flight.radius(i)));
+  for (int i = 0; i < flight.rotors(); ++i) {
+    most = std::max(most, trim.speed / (trim.speeds[i] * flight.radius(i)));
   }
   return most;
 }
@@ -55,7 +55,7 @@ Margin marginOf(const SteadyFlight& flight, const Trim& trim, double throttleLim
   const auto consider = [&least](double value, FlightLimit limit) {
     if (value < least.value) least = {value, limit};
   };
-  for (int i = 0; i < kVehicleRotors; ++i) {
+  for (int i = 0; i < flight.rotors(); ++i) {
     consider(1 - demand.current[i] / flight.currentLimit(i), FlightLimit::Current);
   }
   consider((bus - supply.cutOff) / inner, FlightLimit::CutOff);

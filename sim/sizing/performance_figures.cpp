@@ -3,6 +3,7 @@
 #include <limits>
 #include <numbers>
 
+#include "sim/environment/standard_atmosphere.h"
 #include "sim/numerics/bracketed_root.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"
@@ -11,18 +12,6 @@
 namespace rotorbench {
 
 namespace {
-
-// ISO 2533:1975, troposphere: rho = rho_0 (1 - L h/T_0)^(g/(R L) - 1).
-constexpr double kSeaLevelDensity = 1.225, kLapsePerMetre = 0.0065 / 288.15;
-constexpr double kDensityPower = 4.25588;
-constexpr double kTropopause = 11000;  // m
-
-double standardDensity(double altitude) {
-  return kSeaLevelDensity * std::pow(1 - kLapsePerMetre * altitude, kDensityPower);
-}
-double standardAltitude(double density) {
-  return (1 - std::pow(density / kSeaLevelDensity, 1 / kDensityPower)) / kLapsePerMetre;
-}
 
 /// What all groups of figures are read from.
 struct Flown {
@@ -48,7 +37,7 @@ Sentence limitSentence(FlightLimit limit, const Flown& f, double throttle) {
              " throttle";
     case FlightLimit::Current: {
       double least = f.flight.currentLimit(0);
-      for (int i = 1; i < kVehicleRotors; ++i) least = std::min(least, f.flight.currentLimit(i));
+      for (int i = 1; i < f.flight.rotors(); ++i) least = std::min(least, f.flight.currentLimit(i));
       return "limited by the motor's current limit of " + Sentence::number(least) + " A";
     }
     case FlightLimit::Supply:
@@ -97,16 +86,17 @@ void addHover(FigureSheet& sheet, const Flown& f) {
                                 : "the rotors cannot hold the vehicle in balance";
   const bool flies = f.hover && f.margin.value >= 0;
   const auto orNone = [flies](double value) { return flies ? value : kNoFigure; };
-  const double mean = flies ? f.hover->rotors.mean() : kNoFigure;
-  const Sentence spread = !flies ? "the vehicle cannot hover: " + none
-                          : f.hover->rotors.maxCoeff() - f.hover->rotors.minCoeff() > 1e-6 * mean
-                              ? "mean; the rotors differ to balance the vehicle"
-                              : Sentence();
+  const double mean = flies ? f.hover->rotors().mean() : kNoFigure;
+  const Sentence spread =
+      !flies ? "the vehicle cannot hover: " + none
+      : f.hover->rotors().maxCoeff() - f.hover->rotors().minCoeff() > 1e-6 * mean
+          ? "mean; the rotors differ to balance the vehicle"
+          : Sentence();
   const double current = f.demand.power / f.bus;
   const double inner = f.flight.supply().openCircuit(f.flight.supply().charge);
   double ideal = 0, thrust = 0;
-  for (int i = 0; flies && i < kVehicleRotors; ++i) {
-    const double t = f.hover->thrust[static_cast<std::size_t>(i)];
+  for (int i = 0; flies && i < f.flight.rotors(); ++i) {
+    const double t = f.hover->thrust[i];
     ideal += figureOfMerit(t, 1, f.flight.radius(i), f.flight.density());
     thrust += t;
   }
@@ -236,7 +226,9 @@ void addCeiling(FigureSheet& sheet, const Flown& f) {
     limit = m.limit;
     return m.value;
   };
-  const double here = margin(kSeaLevelDensity), least = standardDensity(kTropopause);
+  // The search ends at the tropopause.
+  const double sea = standardDensity(0.0), top = standardAltitude(standardTropopause());
+  const double here = margin(sea), least = standardTropopause();
   if (!(here >= 0)) {
     g.add("hover", "Hover ceiling", "h_max", kNoFigure, "m", "m", formula).note =
         "it cannot hover in the standard atmosphere at sea level";
@@ -244,11 +236,11 @@ void addCeiling(FigureSheet& sheet, const Flown& f) {
   }
   const double thin = margin(least);
   if (thin >= 0) {
-    g.add("hover", "Hover ceiling", "h_max", kTropopause, "m", "m", formula).note =
-        "at least this; the formula of the atmosphere ends here";
+    g.add("hover", "Hover ceiling", "h_max", top, "m", "m", formula).note =
+        "at least this; the search ends at the tropopause";
     return;
   }
-  const double density = bracketedRoot(margin, least, thin, kSeaLevelDensity, here, 1e-9);
+  const double density = bracketedRoot(margin, least, thin, sea, here, 1e-9);
   margin(density * (1 - 1e-6));
   g.add("hover", "Hover ceiling", "h_max", standardAltitude(density), "m", "m", formula).note =
       limitSentence(limit, f, f.settings.speedThrottle);

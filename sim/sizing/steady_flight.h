@@ -1,33 +1,21 @@
-// Steady level flight of a quadrotor: rotor speeds, roll and pitch at which neither force nor
-// moment is left, found by Newton's method on the vehicle's own equations
-// (sim/vehicle/multirotor.h), and the electrical side of it. SI units; flight along x of the
-// inertial frame, yaw 0.
+// Steady level flight of a multirotor (sim/analysis/trim.h) in still air, and the electrical side of
+// it. SI units; flight along x of the inertial frame, yaw 0.
 #pragma once
 
-#include <array>
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "sim/analysis/trim.h"
 #include "sim/propulsion/drive/drive_train.h"
 #include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {
 
-struct Trim {
-  double speed = 0;                                       ///< m/s, level
-  Eigen::Vector4d rotors;                                 ///< rad/s
-  double roll = 0, pitch = 0;                             ///< rad
-  std::array<double, kVehicleRotors> thrust{}, torque{};  ///< N, N m
-  double residual =
-      0;  ///< largest acceleration left, m/s^2, and moment over weight and arm times g
-  /// Angle between the vehicle's vertical and the world's, rad.
-  [[nodiscard]] double tilt() const;
-};
-
 /// What the motors need for a trim, whatever the supply.
 struct DriveDemand {
-  Eigen::Vector4d current;  ///< A
-  Eigen::Vector4d voltage;  ///< V before the speed controller's resistance
+  Eigen::VectorXd current;  ///< A, of each rotor
+  Eigen::VectorXd voltage;  ///< V before the speed controller's resistance
   double motorPower = 0;    ///< W at the motors' terminals
   double shaftPower = 0;    ///< W
   double power = 0;         ///< W drawn from the supply
@@ -37,8 +25,8 @@ struct DriveDemand {
 struct FullThrottle {
   double thrust = 0;  ///< N, along the vehicle's vertical
   double busVoltage = 0, openCircuit = 0, current = 0, power = 0;
-  Eigen::Vector4d speeds = Eigen::Vector4d::Zero(), currents = Eigen::Vector4d::Zero();
-  bool currentLimited = false;  ///< some motor
+  Eigen::VectorXd speeds, currents;  ///< rad/s and A, of each rotor
+  bool currentLimited = false;       ///< some motor
 };
 
 class SteadyFlight {
@@ -59,33 +47,33 @@ class SteadyFlight {
   [[nodiscard]] FullThrottle fullThrottle() const;
 
   [[nodiscard]] const Supply& supply() const { return supply_; }
+  [[nodiscard]] int rotors() const { return static_cast<int>(rotors_.size()); }
   /// The lower limit of motor and speed controller, A.
-  [[nodiscard]] double currentLimit(int rotor) const {
-    return currentLimits_[static_cast<std::size_t>(rotor)];
-  }
-  [[nodiscard]] double mass() const { return constants_.mass; }
-  [[nodiscard]] double weight() const { return constants_.mass * constants_.gravity; }
-  [[nodiscard]] double density() const { return constants_.air.density(0.0); }
-  [[nodiscard]] double radius(int rotor) const { return radii_[static_cast<std::size_t>(rotor)]; }
+  [[nodiscard]] double currentLimit(int rotor) const { return at(rotor).currentLimit; }
+  [[nodiscard]] double radius(int rotor) const { return at(rotor).radius; }
+  [[nodiscard]] double mass() const;
+  [[nodiscard]] double weight() const;
+  [[nodiscard]] double density() const;
 
  private:
-  using Vehicle = Multirotor<kVehicleRotors, RotorDrive::PrescribedSpeeds>;
-  using Unknowns = Eigen::Matrix<double, 6, 1>;  // rotor speeds over the hover's, roll, pitch
-
-  struct Evaluated {
-    Unknowns residual;
-    MultirotorForces<kVehicleRotors> forces;
+  struct Rotor {
+    RotorHub hub;
+    MotorParameters motor;
+    EscParameters esc;
+    double currentLimit, radius;  // A, m
+    /// Thrust and torque at rest over the speed, up to a speed in rad/s.
+    [[nodiscard]] ShaftLoad staticLoad(double topSpeed, double density) const;
   };
-  [[nodiscard]] Evaluated evaluate(const Unknowns& x, double speed) const;
-  [[nodiscard]] ShaftLoad staticLoad(std::size_t rotor, double topSpeed) const;
+  using Constants =
+      std::variant<MultirotorConstants<4>, MultirotorConstants<6>, MultirotorConstants<8>>;
 
-  MultirotorConstants<kVehicleRotors> constants_;
+  [[nodiscard]] const Rotor& at(int rotor) const {
+    return rotors_[static_cast<std::size_t>(rotor)];
+  }
+
+  Constants constants_;
   Supply supply_;
-  std::array<EscParameters, kVehicleRotors> escs_;
-  std::array<MotorParameters, kVehicleRotors> motors_;
-  std::array<double, kVehicleRotors> currentLimits_{}, radii_{};
-  double scale_ = 1;  ///< rad/s: of rotor speeds
-  double arm_ = 1;    ///< m: of moments
+  std::vector<Rotor> rotors_;
 };
 
 }  // namespace rotorbench

@@ -2,13 +2,18 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace rotorbench {
 
 namespace {
 
 /// `offset`: angle of the first rotor in steps between rotors.
-std::vector<RotorPlacement> ring(double arm, double height, Spin first, double offset, int count) {
+template <class Layout>
+std::vector<RotorPlacement> ring(const Layout& layout, double offset) {
+  const int count = static_cast<int>(layout.count);
+  const double arm = layout.arm, height = layout.height;
+  const Spin first = layout.firstSpin;
   std::vector<RotorPlacement> rotors;
   const Spin second = first == Spin::CounterClockwise ? Spin::Clockwise : Spin::CounterClockwise;
   for (int i = 0; i < count; ++i) {
@@ -27,6 +32,12 @@ std::vector<schema::Named<Spin>> spins() {
 
 template <class P>
 void describeRing(schema::Builder<P>& b, const char* armSource, const char* firstHelp) {
+  b.choice("count", &P::count, "Rotors",
+           std::vector<schema::Named<RingCount>>{
+               {RingCount::Four, "quad", "4 (quadrotor)", "Every 90 degrees."},
+               {RingCount::Six, "hexa", "6 (hexarotor)", "Every 60 degrees."},
+               {RingCount::Eight, "octo", "8 (octorotor)", "Every 45 degrees."}})
+      .help("Counter-clockwise from the front at equal angles, neighbours turning oppositely.");
   b.number("arm", &P::arm, "Arm length", "r", "m")
       .range(schema::above(0), schema::upTo(20))
       .shownIn("cm")
@@ -42,13 +53,15 @@ void describeRing(schema::Builder<P>& b, const char* armSource, const char* firs
 
 }  // namespace
 
-std::vector<RotorPlacement> placeRotors(const RotorLayout& layout, int count) {
-  if (const auto* plus = std::get_if<PlusLayout>(&layout)) {
-    return ring(plus->arm, plus->height, plus->firstSpin, 0, count);
-  }
-  if (const auto* cross = std::get_if<CrossLayout>(&layout)) {
-    return ring(cross->arm, cross->height, cross->firstSpin, 0.5, count);
-  }
+int rotorCount(const RotorLayout& layout) {
+  if (const auto* plus = std::get_if<PlusLayout>(&layout)) return static_cast<int>(plus->count);
+  if (const auto* cross = std::get_if<CrossLayout>(&layout)) return static_cast<int>(cross->count);
+  return static_cast<int>(std::get<FreeLayout>(layout).rotors.size());
+}
+
+std::vector<RotorPlacement> placeRotors(const RotorLayout& layout) {
+  if (const auto* plus = std::get_if<PlusLayout>(&layout)) return ring(*plus, 0);
+  if (const auto* cross = std::get_if<CrossLayout>(&layout)) return ring(*cross, 0.5);
   std::vector<RotorPlacement> rotors = std::get<FreeLayout>(layout).rotors;
   for (auto& rotor : rotors) rotor.axis.normalize();
   return rotors;
@@ -56,8 +69,8 @@ std::vector<RotorPlacement> placeRotors(const RotorLayout& layout, int count) {
 
 void Describe<PlusLayout>::fields(schema::Builder<PlusLayout>& b) {
   b.title("plus", "Plus",
-          "One rotor ahead on the x axis, the others counter-clockwise at equal angles: 1 front, "
-          "2 left, 3 rear, 4 right.",
+          "One rotor ahead on the x axis, the others counter-clockwise at equal angles; of four: 1 "
+          "front, 2 left, 3 rear, 4 right.",
           "Thesis 2014, figure 3.2 and (3.3)-(3.6)");
   describeRing(b, "Half of the 450 mm diagonal of the DJI F450",
                "Rotor 1 is ahead; neighbours turn oppositely.");
@@ -66,8 +79,8 @@ void Describe<PlusLayout>::fields(schema::Builder<PlusLayout>& b) {
 void Describe<CrossLayout>::fields(schema::Builder<CrossLayout>& b) {
   b.title(
       "cross", "Cross",
-      "Forward lies between the two front rotors: 1 front left, 2 rear left, 3 rear right, 4 front "
-      "right.");
+      "Forward lies between the two front rotors, which are 1 on the left and the last one on the "
+      "right; of four: 1 front left, 2 rear left, 3 rear right, 4 front right.");
   describeRing(b, "JSBSim aircraft F450, Propulsion.xml: 0.1651 m along x and y",
                "Rotor 1 is ahead on the left; neighbours turn oppositely.");
 }
@@ -90,8 +103,13 @@ void Describe<RotorPlacement>::fields(schema::Builder<RotorPlacement>& b) {
 }
 
 void Describe<FreeLayout>::fields(schema::Builder<FreeLayout>& b) {
-  b.title("free", "Free", "Every hub, thrust axis and spin given by hand.");
-  b.list("rotors", &FreeLayout::rotors, "Rotors").items(4, 4).table();
+  b.title("free", "Free", "Every hub, thrust axis and spin given by hand: 4, 6 or 8 of them.");
+  b.list("rotors", &FreeLayout::rotors, "Rotors").items(4, 8).table();
+  b.check([](const FreeLayout& p, std::vector<Problem>& problems) {
+    if (p.rotors.size() % 2 == 0) return;
+    problems.push_back(
+        {"rotors", "there are " + std::to_string(p.rotors.size()), "4, 6 or 8 rotors"});
+  });
 }
 
 }  // namespace rotorbench

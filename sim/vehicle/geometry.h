@@ -1,4 +1,4 @@
-// Where the rotors of a multirotor sit. Body axes: x forward (to the front rotor of a plus, between
+// Where the rotors of a multirotor sit: four, six or eight of them. Body axes: x forward (to the front rotor of a plus, between
 // the two front rotors of a cross), y left, z up. Rotors are numbered from the front,
 // counter-clockwise seen from above; spin +1 turns counter-clockwise seen against the thrust axis
 // (from above), and neighbours turn oppositely: plus layout, first rotor +1: s = (+1, -1, +1, -1).
@@ -19,8 +19,12 @@ inline double spinSign(Spin spin) {
   return spin == Spin::CounterClockwise ? 1.0 : -1.0;
 }
 
+/// The numbers of rotors a ring can have, and a vehicle.
+enum class RingCount { Four = 4, Six = 6, Eight = 8 };
+
 /// First rotor ahead on the x axis.
 struct PlusLayout {
+  RingCount count = RingCount::Four;
   double arm = 0.225;  ///< m, centre to hub
   double height = 0;   ///< m, hub plane above the body origin
   Spin firstSpin = Spin::CounterClockwise;
@@ -29,6 +33,7 @@ struct PlusLayout {
 
 /// First rotor ahead to the left, x between the two front rotors. Defaults: DJI F450.
 struct CrossLayout {
+  RingCount count = RingCount::Four;
   double arm = 0.1651 * std::numbers::sqrt2;  ///< m, centre to hub: 0.1651 m along both axes
   double height = 0.025;                      ///< m
   Spin firstSpin = Spin::CounterClockwise;
@@ -54,9 +59,11 @@ struct FreeLayout {
 
 using RotorLayout = std::variant<CrossLayout, PlusLayout, FreeLayout>;
 
-/// The hubs of a layout with `count` rotors, axes of unit length. A free layout gives as many as it
-/// has.
-std::vector<RotorPlacement> placeRotors(const RotorLayout& layout, int count);
+/// How many rotors a layout has.
+int rotorCount(const RotorLayout& layout);
+
+/// The hubs of a layout, axes of unit length.
+std::vector<RotorPlacement> placeRotors(const RotorLayout& layout);
 
 template <>
 struct Describe<PlusLayout> {

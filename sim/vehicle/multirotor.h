@@ -25,7 +25,9 @@
 #include "sim/propulsion/drive/esc.h"
 #include "sim/propulsion/drive/motor.h"
 #include "sim/propulsion/rotor/rotor.h"
+#include "sim/vehicle/attitude.h"
 #include "sim/vehicle/multirotor_layout.h"
+#include "sim/vehicle/rotation.h"
 #include "sim/vehicle/vehicle_parameters.h"
 
 namespace rotorbench {
@@ -46,25 +48,28 @@ struct RotorLanes {
   MotorModel<Lanes> motor;
 };
 
+/// One rotor in its place, with motor and speed controller.
+struct RotorHub {
+  Eigen::Vector3d arm;       ///< m, from the centre of mass
+  Eigen::Vector3d axis;      ///< unit thrust direction
+  double spin;               ///< +1 counter-clockwise from above
+  Eigen::Vector3d momentum;  ///< s J a: angular momentum per rotor speed
+  RotorConstants rotor;
+  MotorConstants motor;  ///< its current limit is the lower one of motor and speed controller
+  EscConstants esc;
+  double deadTime = 0;  ///< s until a command begins to act; whoever gives it waits
+  /// Winding and speed controller as one: what a controller sees that sets the duty.
+  [[nodiscard]] MotorConstants drive() const {
+    MotorConstants m = motor;
+    m.resistance += esc.resistance;
+    return m;
+  }
+};
+
 /// Everything the derivative needs, computed once per run.
 template <int N>
 struct MultirotorConstants {
-  struct Hub {
-    Eigen::Vector3d arm;       ///< m, from the centre of mass
-    Eigen::Vector3d axis;      ///< unit thrust direction
-    double spin;               ///< +1 counter-clockwise from above
-    Eigen::Vector3d momentum;  ///< s J a: angular momentum per rotor speed
-    RotorConstants rotor;
-    MotorConstants motor;  ///< its current limit is the lower one of motor and speed controller
-    EscConstants esc;
-    double deadTime = 0;  ///< s until a command begins to act; whoever gives it waits
-    /// Winding and speed controller as one: what a controller sees that sets the duty.
-    [[nodiscard]] MotorConstants drive() const {
-      MotorConstants m = motor;
-      m.resistance += esc.resistance;
-      return m;
-    }
-  };
+  using Hub = RotorHub;
   std::array<Hub, N> hubs;
   RotorLanes<N> lanes;  ///< the numbers of `hubs` again
   double mass, inverseMass;
@@ -122,18 +127,20 @@ class Multirotor {
   [[nodiscard]] const Command& command() const { return command_; }
 
   /// Kept out of line: solvers call it from many places, and the call costs nothing beside it.
-  [[gnu::noinline]] void operator()(double /*t*/, const State& y, State& dydt) const {
-    evaluate(command_, y, dydt, [](auto&&...) {});
+  [[gnu::noinline]] void operator()(double t, const State& y, State& dydt) const {
+    evaluate(t, command_, y, dydt, [](auto&&...) {});
   }
 
   /// The derivative over any scalar, for a command over any scalar.
   template <class S>
-  void derivative(const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt) const {
-    evaluate(command, y, dydt, [](auto&&...) {});
+  void derivative(double t, const CommandOf<S>& command, const StateOf<S>& y,
+                  StateOf<S>& dydt) const {
+    evaluate(t, command, y, dydt, [](auto&&...) {});
   }
 
   /// The derivative together with the quantities it passes through.
-  void derivativeAndForces(const State& y, State& dydt, MultirotorForces<N>& forces) const;
+  void derivativeAndForces(double t, const State& y, State& dydt,
+                           MultirotorForces<N>& forces) const;
   /// Brings both up to date after setCommand(command, y) without working out everything again: only
   /// the electrical side depends on a motor's command.
   void updateCommand(const State& y, State& dydt, MultirotorForces<N>& forces) const;
@@ -176,9 +183,10 @@ class Multirotor {
   }
 
   /// A state of the centre of mass at `start`; the body frame's origin plays no role. Rotors that
-  /// hover are at hoverSpeeds(); turning rotors have the currents and duties that hold their
-  /// speeds.
+  /// hover are at hoverSpeeds(), or at `hover` where that is given (sim/analysis/trim.h); turning
+  /// rotors have the currents and duties that hold their speeds.
   [[nodiscard]] State initialState(const FlightStart& start) const;
+  [[nodiscard]] State initialState(const FlightStart& start, const Command& hover) const;
   /// Rotor speeds in rad/s whose thrusts carry the vehicle level in still air without a moment
   /// about the x and y axes, and about z as far as spins allow. Throws InputError if some rotor
   /// would have to pull downwards.
@@ -197,7 +205,7 @@ class Multirotor {
     return constants_.supply.openCircuit(stateOfCharge(y));
   }
   /// The energy ledger of supply and motors with the command held.
-  [[nodiscard]] FlightPowers powers(const State& y) const;
+  [[nodiscard]] FlightPowers powers(double t, const State& y) const;
 
   /// "rotor1.speed", "position.z": for messages about a state component.
   [[nodiscard]] static std::string componentName(int index);
@@ -235,20 +243,44 @@ class Multirotor {
   template <class S>
   [[nodiscard]] LoadOf<S> mixedLoads(const LanesOf<S>& speed,
                                      const std::array<LanesOf<S>, 3>& hubVelocity,
-                                     const S& density) const;
+                                     const LanesOf<S>& density) const;
+
+  /// What forces depend on, and their sum so far.
+  template <class S>
+  struct Flow {
+    detail::Rotation<S> rotation;   ///< body to inertial
+    Eigen::Matrix<S, 3, 1> rates;   ///< rad/s, body axes
+    AirAt<S> air;                   ///< at the centre of mass
+    Eigen::Matrix<S, 3, 1> motion;  ///< m/s, of the centre of mass against the air, body axes
+  };
+  template <class S>
+  struct Sum {
+    Eigen::Matrix<S, 3, 1> force, moment;  ///< N, N m about the centre of mass, body axes
+  };
+  template <class S>
+  [[nodiscard]] Flow<S> flow(double t, const StateOf<S>& y) const;
+  /// The contributions to the sum of forces, in the order in which they are added; the first one
+  /// begins it.
+  template <class S>
+  void beginWithDrag(const Flow<S>& at, Sum<S>& sum) const;
+  template <class S>
+  void addRotors(double t, const StateOf<S>& y, const Flow<S>& at, Sum<S>& sum, LanesOf<S>& thrust,
+                 LanesOf<S>& torque) const;
+  /// Where the air differs from hub to hub: takes its velocity out of the hubs' and gives its
+  /// density at each.
+  template <class S>
+  [[nodiscard]] LanesOf<S> airAtHubs(double t, const StateOf<S>& y, const Flow<S>& at,
+                                     std::array<LanesOf<S>, 3>& hubVelocity) const;
+  template <class S>
+  void motionRates(const StateOf<S>& y, const Flow<S>& at, Sum<S>& sum, StateOf<S>& dydt) const;
 
   template <class S, class Sink>
-  void evaluate(const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt,
+  void evaluate(double t, const CommandOf<S>& command, const StateOf<S>& y, StateOf<S>& dydt,
                 Sink&& sink) const;
 
   Constants constants_;
   Command command_ = Command::Zero();
 };
-
-/// Roll, pitch, yaw (Z-Y-X) in rad of a unit quaternion [w x y z]; yaw in (-pi, pi].
-Eigen::Vector3d eulerAngles(const Eigen::Vector4d& wxyz);
-/// The unit quaternion [w x y z] of roll, pitch, yaw.
-Eigen::Vector4d quaternionOf(const Eigen::Vector3d& rollPitchYaw);
 
 }  // namespace rotorbench
 

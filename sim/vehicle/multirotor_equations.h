@@ -7,17 +7,6 @@ namespace rotorbench {
 
 namespace detail {
 
-/// Rotation matrix of a unit quaternion [w x y z], row by row.
-template <class S>
-struct Rotation {
-  S xx, xy, xz, yx, yy, yz, zx, zy, zz;
-  Rotation(const S& w, const S& x, const S& y, const S& z) {
-    xx = 1.0 - 2.0 * (y * y + z * z), xy = 2.0 * (x * y - w * z), xz = 2.0 * (x * z + w * y);
-    yx = 2.0 * (x * y + w * z), yy = 1.0 - 2.0 * (x * x + z * z), yz = 2.0 * (y * z - w * x);
-    zx = 2.0 * (x * z - w * y), zy = 2.0 * (y * z + w * x), zz = 1.0 - 2.0 * (x * x + y * y);
-  }
-};
-
 /// Keeps the slope of |v| defined at rest; far below any air speed that matters.
 inline constexpr double kSmallSpeedSquared = 1e-12;  // m^2/s^2
 
@@ -28,7 +17,7 @@ template <class S>
 [[gnu::noinline]] typename Multirotor<N, Drive>::template LoadOf<S>
 Multirotor<N, Drive>::mixedLoads(const LanesOf<S>& speed,
                                  const std::array<LanesOf<S>, 3>& hubVelocity,
-                                 const S& density) const {
+                                 const LanesOf<S>& density) const {
   using Vector = Eigen::Matrix<S, 3, 1>;
   LoadOf<S> all;
   for (int i = 0; i < N; ++i) {
@@ -36,8 +25,8 @@ Multirotor<N, Drive>::mixedLoads(const LanesOf<S>& speed,
     const Vector v(hubVelocity[0][i], hubVelocity[1][i], hubVelocity[2][i]);
     const RotorLoad<S> one =
         hub.rotor.model != nullptr
-            ? hub.rotor.model->template load<S>(speed[i], v, hub.axis, hub.spin, density)
-            : hub.rotor.template load<S, Vector>(speed[i], v, hub.axis, hub.spin, density);
+            ? hub.rotor.model->template load<S>(speed[i], v, hub.axis, hub.spin, density[i])
+            : hub.rotor.template load<S, Vector>(speed[i], v, hub.axis, hub.spin, density[i]);
     for (int k = 0; k < 3; ++k) {
       all.force[static_cast<std::size_t>(k)][i] = one.force[k];
       all.moment[static_cast<std::size_t>(k)][i] = one.moment[k];
@@ -106,36 +95,72 @@ template <class S>
 }
 
 template <int N, RotorDrive Drive>
-template <class S, class Sink>
-inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const StateOf<S>& y,
-                                           StateOf<S>& dydt, Sink&& sink) const {
-  using std::sqrt;
+template <class S>
+inline typename Multirotor<N, Drive>::template Flow<S> Multirotor<N, Drive>::flow(
+    double t, const StateOf<S>& y) const {
   using L = Layout;
-  using Vector = Eigen::Matrix<S, 3, 1>;
-  using Lanes = LanesOf<S>;
-  const Constants& c = constants_;
-
+  const AirConstants& air = constants_.air;
   const S qw = y[L::kAttitude], qx = y[L::kAttitude + 1], qy = y[L::kAttitude + 2],
           qz = y[L::kAttitude + 3];
-  const detail::Rotation<S> r(qw, qx, qy, qz);
-  const S vx = y[L::kVelocity], vy = y[L::kVelocity + 1], vz = y[L::kVelocity + 2];
-  const Vector w = bodyRates(y);
-  // Velocity of the centre of mass against the air, in body axes.
-  Vector v;
-  v[0] = r.xx * vx + r.yx * vy + r.zx * vz;
-  v[1] = r.xy * vx + r.yy * vy + r.zy * vz;
-  v[2] = r.xz * vx + r.yz * vy + r.zz * vz;
-  const S density = c.air.density(y[L::kPosition + 2]);
-
-  const S airSpeed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + detail::kSmallSpeedSquared);
-  Vector force, moment;
-  for (int k = 0; k < 3; ++k) {
-    force[k] = -(c.drag.linear + c.drag.quadratic[k] * airSpeed) * v[k];
-    moment[k] = -c.drag.angular[k] * w[k];
+  Flow<S> at{detail::Rotation<S>(qw, qx, qy, qz), bodyRates(y), {}, {}};
+  at.air.velocity.setConstant(S(0.0));
+  S vx = y[L::kVelocity], vy = y[L::kVelocity + 1], vz = y[L::kVelocity + 2];
+  const S z = y[L::kPosition + 2];
+  at.air.density = air.density(z);
+  if (air.moving) {
+    at.air.velocity = air.velocity(t, z);
+    vx -= at.air.velocity[0];
+    vy -= at.air.velocity[1];
+    vz -= at.air.velocity[2];
   }
+  at.motion = at.rotation.intoBody(vx, vy, vz);
+  return at;
+}
 
-  const auto& lanes = c.lanes;
-  const Lanes speed = y.template segment<N>(L::kSpeed).array();
+template <int N, RotorDrive Drive>
+template <class S>
+inline void Multirotor<N, Drive>::beginWithDrag(const Flow<S>& at, Sum<S>& sum) const {
+  using std::sqrt;
+  const auto& v = at.motion;
+  const BodyDrag& drag = constants_.drag;
+  const S airSpeed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + detail::kSmallSpeedSquared);
+  for (int k = 0; k < 3; ++k) {
+    sum.force[k] = -(drag.linear + drag.quadratic[k] * airSpeed) * v[k];
+    sum.moment[k] = -drag.angular[k] * at.rates[k];
+  }
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] typename Multirotor<N, Drive>::template LanesOf<S>
+Multirotor<N, Drive>::airAtHubs(double t, const StateOf<S>& y, const Flow<S>& at,
+                                std::array<LanesOf<S>, 3>& hubVelocity) const {
+  const auto& arm = constants_.lanes.arm;
+  const auto& r = at.rotation;
+  LanesOf<S> density;
+  for (int i = 0; i < N; ++i) {
+    const S z = y[Layout::kPosition + 2] + r.zx * arm[0][i] + r.zy * arm[1][i] + r.zz * arm[2][i];
+    const AirAt<S> here = constants_.air.at(t, z);
+    density[i] = here.density;
+    if (!constants_.air.overHeight) continue;
+    const Eigen::Matrix<S, 3, 1> more = r.intoBody(S(here.velocity[0] - at.air.velocity[0]),
+                                                   S(here.velocity[1] - at.air.velocity[1]),
+                                                   S(here.velocity[2] - at.air.velocity[2]));
+    for (std::size_t k = 0; k < 3; ++k) hubVelocity[k][i] -= more[static_cast<int>(k)];
+  }
+  return density;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+inline void Multirotor<N, Drive>::addRotors(double t, const StateOf<S>& y, const Flow<S>& at,
+                                            Sum<S>& sum, LanesOf<S>& thrust,
+                                            LanesOf<S>& torque) const {
+  using Lanes = LanesOf<S>;
+  const auto& lanes = constants_.lanes;
+  const auto& v = at.motion;
+  const auto& w = at.rates;
+  const Lanes speed = y.template segment<N>(Layout::kSpeed).array();
   std::array<Lanes, 3> hubVelocity;
   for (std::size_t k = 0; k < 3; ++k) {
     const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
@@ -143,61 +168,99 @@ inline void Multirotor<N, Drive>::evaluate(const CommandOf<S>& command, const St
     hubVelocity[k] =
         v[axis] + (w[(axis + 1) % 3] * lanes.arm[b] - w[(axis + 2) % 3] * lanes.arm[a]);
   }
-  Lanes thrust, torque;
   const auto add = [&](const LoadOf<S>& load) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t a = (k + 1) % 3, b = (k + 2) % 3;
       const Lanes turning =
           load.moment[k] + (lanes.arm[a] * load.force[b] - lanes.arm[b] * load.force[a]);
-      force[static_cast<int>(k)] += load.force[k].sum();
-      moment[static_cast<int>(k)] += turning.sum();
+      sum.force[static_cast<int>(k)] += load.force[k].sum();
+      sum.moment[static_cast<int>(k)] += turning.sum();
     }
     thrust = load.thrust;
     torque = load.torque;
   };
-  if (c.lumped) {
+  const bool same = constants_.air.sameAtAllRotors();
+  if (constants_.lumped && same) {
+    add(lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, at.air.density));
+    return;
+  }
+  const Lanes density =
+      same ? Lanes(Lanes::Constant(at.air.density)) : airAtHubs<S>(t, y, at, hubVelocity);
+  if (constants_.lumped) {
     add(lanes.rotor.load(speed, hubVelocity, lanes.axis, lanes.spin, density));
   } else {
     add(mixedLoads<S>(speed, hubVelocity, density));
   }
+}
 
-  const Lanes zero = Lanes::Constant(S(0.0));
-  Electrical<S> at{zero, zero, S(c.openCircuit), S(0.0)};
-  auto dutyRate = dydt.template segment<N>(L::kDuty).array();
-  auto speedRate = dydt.template segment<N>(L::kSpeed).array();
-  auto currentRate = dydt.template segment<N>(L::kCurrent).array();
-  if constexpr (Drive == RotorDrive::Motors) {
-    const Lanes current = y.template segment<N>(L::kCurrent).array();
-    const Lanes commanded = command.array(), follows = y.template segment<N>(L::kDuty).array();
-    at = electrical<S>(command, y);
-    dutyRate = lanes.duty.rate(commanded, follows);
-    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - torque) *
-                lanes.inverseInertia;
-    currentRate = lanes.motor.currentRate(at.voltage, current, speed);
-  } else {
-    speedRate = command.array();
-    currentRate = zero;
-    dutyRate = zero;
-  }
-
+template <int N, RotorDrive Drive>
+template <class S>
+inline void Multirotor<N, Drive>::motionRates(const StateOf<S>& y, const Flow<S>& at, Sum<S>& sum,
+                                              StateOf<S>& dydt) const {
+  using L = Layout;
+  const auto& w = at.rates;
+  const auto& r = at.rotation;
+  auto& force = sum.force;
+  const S qw = y[L::kAttitude], qx = y[L::kAttitude + 1], qy = y[L::kAttitude + 2],
+          qz = y[L::kAttitude + 3];
   dydt[L::kAttitude] = -0.5 * (qx * w[0] + qy * w[1] + qz * w[2]);
   dydt[L::kAttitude + 1] = 0.5 * (qw * w[0] + qy * w[2] - qz * w[1]);
   dydt[L::kAttitude + 2] = 0.5 * (qw * w[1] + qz * w[0] - qx * w[2]);
   dydt[L::kAttitude + 3] = 0.5 * (qw * w[2] + qx * w[1] - qy * w[0]);
   for (int k = 0; k < 3; ++k) {
     const int a = (k + 1) % 3, b = (k + 2) % 3;
-    dydt[L::kMomentum + k] = moment[k] - (w[a] * y[L::kMomentum + b] - w[b] * y[L::kMomentum + a]);
-    force[k] *= c.inverseMass;
+    dydt[L::kMomentum + k] =
+        sum.moment[k] - (w[a] * y[L::kMomentum + b] - w[b] * y[L::kMomentum + a]);
+    force[k] *= constants_.inverseMass;
     dydt[L::kPosition + k] = y[L::kVelocity + k];
   }
   dydt[L::kVelocity] = r.xx * force[0] + r.xy * force[1] + r.xz * force[2];
   dydt[L::kVelocity + 1] = r.yx * force[0] + r.yy * force[1] + r.yz * force[2];
-  dydt[L::kVelocity + 2] = r.zx * force[0] + r.zy * force[1] + r.zz * force[2] - c.gravity;
-  dydt[L::kCharge] = at.supplyCurrent;
-  dydt[L::kPolarisation] = (c.supply.polarisation * at.supplyCurrent - y[L::kPolarisation]) *
+  dydt[L::kVelocity + 2] = r.zx * force[0] + r.zy * force[1] + r.zz * force[2] - constants_.gravity;
+}
+
+template <int N, RotorDrive Drive>
+template <class S, class Sink>
+inline void Multirotor<N, Drive>::evaluate(double t, const CommandOf<S>& command,
+                                           const StateOf<S>& y, StateOf<S>& dydt,
+                                           Sink&& sink) const {
+  using L = Layout;
+  using Lanes = LanesOf<S>;
+  const Constants& c = constants_;
+  const auto& lanes = c.lanes;
+
+  const Flow<S> at = flow<S>(t, y);
+  Sum<S> sum;
+  beginWithDrag(at, sum);
+  Lanes thrust, torque;
+  addRotors(t, y, at, sum, thrust, torque);
+
+  const Lanes zero = Lanes::Constant(S(0.0));
+  Electrical<S> power{zero, zero, S(c.openCircuit), S(0.0)};
+  auto dutyRate = dydt.template segment<N>(L::kDuty).array();
+  auto speedRate = dydt.template segment<N>(L::kSpeed).array();
+  auto currentRate = dydt.template segment<N>(L::kCurrent).array();
+  if constexpr (Drive == RotorDrive::Motors) {
+    const Lanes speed = y.template segment<N>(L::kSpeed).array();
+    const Lanes current = y.template segment<N>(L::kCurrent).array();
+    const Lanes commanded = command.array(), follows = y.template segment<N>(L::kDuty).array();
+    power = electrical<S>(command, y);
+    dutyRate = lanes.duty.rate(commanded, follows);
+    speedRate = (lanes.motor.torqueConstant * current - lanes.motor.friction(speed) - torque) *
+                lanes.inverseInertia;
+    currentRate = lanes.motor.currentRate(power.voltage, current, speed);
+  } else {
+    speedRate = command.array();
+    currentRate = zero;
+    dutyRate = zero;
+  }
+
+  motionRates(y, at, sum, dydt);
+  dydt[L::kCharge] = power.supplyCurrent;
+  dydt[L::kPolarisation] = (c.supply.polarisation * power.supplyCurrent - y[L::kPolarisation]) *
                            c.supply.inversePolarisationTime;
-  dydt[L::kEnergy] = at.bus * at.supplyCurrent;
-  sink(thrust, torque, at.duty, at.voltage, w, force, at.bus, at.supplyCurrent);
+  dydt[L::kEnergy] = power.bus * power.supplyCurrent;
+  sink(thrust, torque, power, at, sum.force);
 }
 
 }  // namespace rotorbench

@@ -47,7 +47,9 @@ struct MultirotorForces {
   Eigen::Vector3d rates;          ///< body rates, rad/s
   Eigen::Vector3d acceleration;   ///< inertial, m/s^2
   Eigen::Vector3d
-      specificForce;  ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
+      specificForce;     ///< body axes, m/s^2: what an accelerometer at the centre of mass reads
+  Eigen::Vector3d wind;  ///< m/s of the air over the ground at the centre of mass, inertial
+  double density;        ///< kg/m^3 of the air there
 };
 
 /// Powers in W of one instant of all motors and the supply; what goes in equals what is stored and

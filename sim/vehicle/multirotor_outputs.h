@@ -7,9 +7,10 @@
 namespace rotorbench {
 
 /// Calls visit(rotor, name, unit, description, value) for each quantity; rotor 0 is the vehicle,
-/// others are numbered from 1. `forces` must belong to the state `y`.
+/// others are numbered from 1. `forces` must belong to the state `y`. The air's quantities are there
+/// where the air is not the same everywhere.
 template <class Plant, class Visit>
-void visitMultirotorOutputs(const typename Plant::State& y,
+void visitMultirotorOutputs(const AirConstants& air, const typename Plant::State& y,
                             const MultirotorForces<Plant::kRotors>& forces, Visit&& visit) {
   using L = typename Plant::Layout;
   constexpr bool kMotors = Plant::kDrive == RotorDrive::Motors;
@@ -32,6 +33,13 @@ void visitMultirotorOutputs(const typename Plant::State& y,
   visit(0, "rates.x", "rad/s", "Body rate about the forward axis", forces.rates[0]);
   visit(0, "rates.y", "rad/s", "Body rate about the left axis", forces.rates[1]);
   visit(0, "rates.z", "rad/s", "Body rate about the upward axis", forces.rates[2]);
+  if (air.moving) {
+    visit(0, "wind.x", "m/s", "Velocity of the air at the centre of mass, forward", forces.wind[0]);
+    visit(0, "wind.y", "m/s", "Velocity of the air at the centre of mass, left", forces.wind[1]);
+    visit(0, "wind.z", "m/s", "Velocity of the air at the centre of mass, up", forces.wind[2]);
+  }
+  if (air.standard)
+    visit(0, "air.density", "kg/m^3", "Density of the air at the centre of mass", forces.density);
   if constexpr (kMotors) {
     visit(0, "supply.voltage", "V", "Supply voltage under load", forces.busVoltage);
     visit(0, "supply.current", "A", "Current drawn from the supply", forces.supplyCurrent);

@@ -10,14 +10,20 @@ std::string numbered(const char* list, std::size_t index) {
   return std::string(list) + "[" + std::to_string(index) + "]";
 }
 
+bool fitting(const VehicleParameters& vehicle) {
+  const auto* own = std::get_if<IndividualRotors>(&vehicle.rotors);
+  return own == nullptr || own->rotors.empty() ||
+         own->rotors.size() == static_cast<std::size_t>(rotorCount(vehicle.layout));
+}
+
 /// What is wrong with the number of rotors, or empty.
-std::vector<Problem> countProblems(const VehicleParameters& vehicle, std::size_t count) {
+std::vector<Problem> countProblems(const VehicleParameters& vehicle) {
   std::vector<Problem> problems;
-  const std::string allowed = std::to_string(count) + " rotors";
-  if (const auto* layout = std::get_if<FreeLayout>(&vehicle.layout);
-      layout != nullptr && layout->rotors.size() != count) {
+  const auto count = static_cast<std::size_t>(rotorCount(vehicle.layout));
+  const std::string allowed = std::to_string(count) + " rotors, as the layout has";
+  if (count != 4 && count != 6 && count != 8) {
     problems.push_back(
-        {"layout.rotors", "the layout has " + std::to_string(layout->rotors.size()), allowed});
+        {"layout.rotors", "the layout has " + std::to_string(count), "4, 6 or 8 rotors"});
   }
   if (const auto* own = std::get_if<IndividualRotors>(&vehicle.rotors);
       own != nullptr && own->rotors.size() != count) {
@@ -35,9 +41,9 @@ std::vector<Problem> countProblems(const VehicleParameters& vehicle, std::size_t
   return problems;
 }
 
-MassProperties withoutCheck(const VehicleParameters& vehicle, int count, bool asPlanned) {
-  const std::vector<RotorAtHub> planned = rotorsOf(vehicle, count, true);
-  const std::vector<RotorAtHub> actual = asPlanned ? planned : rotorsOf(vehicle, count);
+MassProperties withoutCheck(const VehicleParameters& vehicle, bool asPlanned) {
+  const std::vector<RotorAtHub> planned = rotorsOf(vehicle, true);
+  const std::vector<RotorAtHub> actual = asPlanned ? planned : rotorsOf(vehicle);
   MassProperties sum;
   if (const auto* direct = std::get_if<DirectMass>(&vehicle.mass)) {
     sum = {direct->mass, direct->centreOfMass, direct->inertia.matrix()};
@@ -62,11 +68,11 @@ MassProperties withoutCheck(const VehicleParameters& vehicle, int count, bool as
 
 }  // namespace
 
-std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
-  auto problems = countProblems(vehicle, static_cast<std::size_t>(count));
+std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, bool asPlanned) {
+  auto problems = countProblems(vehicle);
   if (!problems.empty()) throw InputError({}, std::move(problems));
   std::vector<RotorAtHub> hubs;
-  for (const auto& placement : placeRotors(vehicle.layout, count)) {
+  for (const auto& placement : placeRotors(vehicle.layout)) {
     const auto* equal = std::get_if<EqualRotors>(&vehicle.rotors);
     hubs.push_back(
         {placement, equal != nullptr
@@ -83,8 +89,8 @@ std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count, bo
   return hubs;
 }
 
-MassProperties massOf(const VehicleParameters& vehicle, int count, bool asPlanned) {
-  MassProperties sum = withoutCheck(vehicle, count, asPlanned);
+MassProperties massOf(const VehicleParameters& vehicle, bool asPlanned) {
+  MassProperties sum = withoutCheck(vehicle, asPlanned);
   auto problems = massProblems(sum, "mass");
   if (!problems.empty()) throw InputError({}, std::move(problems));
   return sum;
@@ -98,7 +104,7 @@ void Describe<EqualRotors>::fields(schema::Builder<EqualRotors>& b) {
 void Describe<IndividualRotors>::fields(schema::Builder<IndividualRotors>& b) {
   b.title("individual", "Each its own",
           "A description for every rotor, in the order of their numbers.");
-  b.list("rotors", &IndividualRotors::rotors, "Rotors").items(4, 4);
+  b.list("rotors", &IndividualRotors::rotors, "Rotors").items(4, 8);
 }
 
 void Describe<RotorDeviation>::fields(schema::Builder<RotorDeviation>& b) {
@@ -107,7 +113,7 @@ void Describe<RotorDeviation>::fields(schema::Builder<RotorDeviation>& b) {
           "How one arm or motor differs from the plan. The controller does not know of it.",
           "Thesis 2014, nomenclature: \u0394r_i, \u0394m_i");
   b.integer("rotor", &P::rotor, "Rotor")
-      .range(schema::atLeast(1), schema::upTo(4))
+      .range(schema::atLeast(1), schema::upTo(8))
       .help("Its number.");
   b.vector("position", &P::position, "Displacement", "\u0394r", "m")
       .range(schema::atLeast(-10), schema::upTo(10))
@@ -137,9 +143,11 @@ void Describe<BodyDrag>::fields(schema::Builder<BodyDrag>& b) {
 
 void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) {
   using P = VehicleParameters;
-  b.title("multirotor", "Quadrotor",
-          "A rigid body with four rotors: Newton-Euler equations with the momentum of the rotors.",
-          "Mahony, Kumar, Corke, Multirotor Aerial Vehicles, IEEE RAM 2012");
+  b.title(
+      "multirotor", "Multirotor",
+      "A rigid body with four, six or eight rotors: Newton-Euler equations with the momentum of "
+      "the rotors.",
+      "Mahony, Kumar, Corke, Multirotor Aerial Vehicles, IEEE RAM 2012");
   b.variant("layout", &P::layout, "Layout");
   b.variant("rotors", &P::rotors, "Rotors");
   b.variant("mass", &P::mass, "Mass properties");
@@ -147,10 +155,13 @@ void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) 
   b.list("deviations", &P::deviations, "Deviations").items(0, 100).table();
   b.group("drag", &P::drag, "Body drag");
   b.variant("supply", &P::supply, "Supply").untyped();
+  b.follows("rotors", fitting, [](P& p) {
+    auto& own = std::get<IndividualRotors>(p.rotors).rotors;
+    own.resize(static_cast<std::size_t>(rotorCount(p.layout)), own.back());
+  });
   b.check([](const P& p, std::vector<Problem>& problems) {
-    constexpr int kCount = 4;
-    auto found = countProblems(p, kCount);
-    if (found.empty()) found = massProblems(withoutCheck(p, kCount, false), "mass");
+    auto found = countProblems(p);
+    if (found.empty()) found = massProblems(withoutCheck(p, false), "mass");
     problems.insert(problems.end(), found.begin(), found.end());
   });
 }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
+#include <type_traits>
 #include <variant>
 #include <vector>
 
@@ -13,9 +15,6 @@
 
 namespace rotorbench {
 
-/// The only number of rotors a vehicle can have so far.
-inline constexpr int kVehicleRotors = 4;
-
 /// All rotors alike.
 struct EqualRotors {
   RotorParameters rotor;
@@ -24,7 +23,7 @@ struct EqualRotors {
 
 /// Each rotor its own, in the order of their numbers.
 struct IndividualRotors {
-  std::vector<RotorParameters> rotors = std::vector<RotorParameters>(kVehicleRotors);
+  std::vector<RotorParameters> rotors = std::vector<RotorParameters>(4);
   bool operator==(const IndividualRotors&) const = default;
 };
 
@@ -79,13 +78,29 @@ struct RotorAtHub {
 };
 
 /// Rotors of the vehicle in order; `asPlanned` leaves the deviations out. Throws InputError if the
-/// layout, the rotor set and `count` disagree or a deviation names no rotor.
-std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, int count,
-                                 bool asPlanned = false);
+/// layout and the rotor set disagree, a deviation names no rotor or there are not 4, 6 or 8 of them.
+std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, bool asPlanned = false);
 
 /// Mass properties with payloads and (unless `asPlanned`) deviations. Throws InputError with
 /// massProblems().
-MassProperties massOf(const VehicleParameters& vehicle, int count, bool asPlanned = false);
+MassProperties massOf(const VehicleParameters& vehicle, bool asPlanned = false);
+
+/// Calls f with the number of rotors as a constant: the one place where it becomes a template
+/// parameter. Throws InputError if it is not 4, 6 or 8.
+template <class F>
+decltype(auto) withRotorCount(int count, F&& f) {
+  switch (count) {
+    case 4:
+      return f(std::integral_constant<int, 4>{});
+    case 6:
+      return f(std::integral_constant<int, 6>{});
+    case 8:
+      return f(std::integral_constant<int, 8>{});
+    default:
+      throw InputError(
+          {}, {{"layout", "has " + std::to_string(count) + " rotors", "4, 6 or 8 rotors"}});
+  }
+}
 
 template <>
 struct Describe<EqualRotors> {

@@ -11,6 +11,26 @@ constexpr int kSetValueId = 1;
 EditCommand::EditCommand(DocumentModel& model, QString path, const QString& text)
     : QUndoCommand(text), model_(model), path_(std::move(path)) {}
 
+void EditCommand::redo() {
+  apply();
+  followed_.clear();
+  for (const auto& loose : schema::looseFollowers(rootRef())) {
+    const schema::Location at = schema::locate(rootRef(), loose.path);
+    followed_.push_back({QString::fromStdString(loose.path), capture(*at.field, at.owner)});
+    loose.follower->follow(loose.owner.object);
+    model_.announceStructure(followed_.back().path);
+  }
+}
+
+void EditCommand::undo() {
+  for (auto it = followed_.rbegin(); it != followed_.rend(); ++it) {
+    const schema::Location at = schema::locate(rootRef(), it->path.toStdString());
+    restore(*at.field, at.owner, it->before);
+    model_.announceStructure(it->path);
+  }
+  revert();
+}
+
 schema::Location EditCommand::location() const {
   return schema::locate(rootRef(), path_.toStdString());
 }
@@ -26,10 +46,10 @@ SetValue::SetValue(DocumentModel& model, QString path, schema::Value before, sch
       after_(std::move(after)),
       edit_(edit) {}
 
-void SetValue::undo() {
+void SetValue::revert() {
   write(before_);
 }
-void SetValue::redo() {
+void SetValue::apply() {
   write(after_);
 }
 
@@ -45,7 +65,7 @@ int SetValue::id() const {
 
 bool SetValue::mergeWith(const QUndoCommand* later) {
   const auto& next = static_cast<const SetValue&>(*later);
-  if (next.path() != path()) return false;
+  if (next.path() != path() || hasFollowers() || next.hasFollowers()) return false;
   after_ = next.after_;
   setText(next.text());
   setObsolete(after_ == before_);
@@ -59,13 +79,13 @@ ChooseAlternative::ChooseAlternative(DocumentModel& model, QString path, std::si
   before_ = capture(*at.field, at.owner);
 }
 
-void ChooseAlternative::undo() {
+void ChooseAlternative::revert() {
   const schema::Location at = location();
   restore(*at.field, at.owner, before_);
   announceStructure();
 }
 
-void ChooseAlternative::redo() {
+void ChooseAlternative::apply() {
   const schema::Location at = location();
   at.field->choose(at.owner, option_);
   announceStructure();
@@ -75,13 +95,13 @@ InsertElement::InsertElement(DocumentModel& model, QString list, std::size_t ind
                              std::optional<Snapshot> values, const QString& text)
     : EditCommand(model, std::move(list), text), index_(index), values_(std::move(values)) {}
 
-void InsertElement::undo() {
+void InsertElement::revert() {
   const schema::Location list = location();
   list.field->erase(list.owner, index_);
   announceStructure();
 }
 
-void InsertElement::redo() {
+void InsertElement::apply() {
   const schema::Location list = location();
   list.field->insert(list.owner, index_);
   if (values_) restore(elementOf(list, index_), *values_);
@@ -94,14 +114,14 @@ RemoveElement::RemoveElement(DocumentModel& model, QString list, std::size_t ind
       index_(index),
       values_(capture(elementOf(location(), index))) {}
 
-void RemoveElement::undo() {
+void RemoveElement::revert() {
   const schema::Location list = location();
   list.field->insert(list.owner, index_);
   restore(elementOf(list, index_), values_);
   announceStructure();
 }
 
-void RemoveElement::redo() {
+void RemoveElement::apply() {
   const schema::Location list = location();
   list.field->erase(list.owner, index_);
   announceStructure();

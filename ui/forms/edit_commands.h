@@ -8,9 +8,18 @@
 
 namespace rotorbench {
 
+/// A change and what follows from it: members whose shape depends on what was changed.
 class EditCommand : public QUndoCommand {
+ public:
+  void redo() final;
+  void undo() final;
+
  protected:
   EditCommand(DocumentModel& model, QString path, const QString& text);
+  virtual void apply() = 0;
+  virtual void revert() = 0;
+  /// Something else changed with it.
+  [[nodiscard]] bool hasFollowers() const { return !followed_.empty(); }
 
   [[nodiscard]] schema::Location location() const;
   void announceValue() { model_.announceValue(path_); }
@@ -20,16 +29,23 @@ class EditCommand : public QUndoCommand {
   [[nodiscard]] const QString& path() const { return path_; }
 
  private:
+  /// What a member held before it followed.
+  struct Followed {
+    QString path;
+    FieldSnapshot before;
+  };
+
   DocumentModel& model_;
   QString path_;
+  std::vector<Followed> followed_;
 };
 
 class SetValue : public EditCommand {
  public:
   SetValue(DocumentModel& model, QString path, schema::Value before, schema::Value after,
            const QString& text, DocumentModel::Edit edit);
-  void undo() override;
-  void redo() override;
+  void revert() override;
+  void apply() override;
   [[nodiscard]] int id() const override;
   /// Joins repeated edits of one field; back at the first value nothing is left to undo.
   bool mergeWith(const QUndoCommand* later) override;
@@ -44,8 +60,8 @@ class SetValue : public EditCommand {
 class ChooseAlternative : public EditCommand {
  public:
   ChooseAlternative(DocumentModel& model, QString path, std::size_t option, const QString& text);
-  void undo() override;
-  void redo() override;
+  void revert() override;
+  void apply() override;
 
  private:
   std::size_t option_;
@@ -57,8 +73,8 @@ class InsertElement : public EditCommand {
   /// Without `values` the element is default-made.
   InsertElement(DocumentModel& model, QString list, std::size_t index,
                 std::optional<Snapshot> values, const QString& text);
-  void undo() override;
-  void redo() override;
+  void revert() override;
+  void apply() override;
 
  private:
   std::size_t index_;
@@ -68,8 +84,8 @@ class InsertElement : public EditCommand {
 class RemoveElement : public EditCommand {
  public:
   RemoveElement(DocumentModel& model, QString list, std::size_t index, const QString& text);
-  void undo() override;
-  void redo() override;
+  void revert() override;
+  void apply() override;
 
  private:
   std::size_t index_;
@@ -80,8 +96,8 @@ class MoveElement : public EditCommand {
  public:
   MoveElement(DocumentModel& model, QString list, std::size_t from, std::size_t to,
               const QString& text);
-  void undo() override { move(to_, from_); }
-  void redo() override { move(from_, to_); }
+  void revert() override { move(to_, from_); }
+  void apply() override { move(from_, to_); }
 
  private:
   void move(std::size_t from, std::size_t to);
@@ -92,8 +108,8 @@ class MoveElement : public EditCommand {
 class ReplaceRows : public EditCommand {
  public:
   ReplaceRows(DocumentModel& model, QString list, FieldSnapshot rows, const QString& text);
-  void undo() override { write(before_); }
-  void redo() override { write(after_); }
+  void revert() override { write(before_); }
+  void apply() override { write(after_); }
 
  private:
   void write(const FieldSnapshot& rows);
@@ -104,8 +120,8 @@ class ReplaceRows : public EditCommand {
 class ReplaceObject : public EditCommand {
  public:
   ReplaceObject(DocumentModel& model, QString path, Snapshot values, const QString& text);
-  void undo() override { write(before_); }
-  void redo() override { write(after_); }
+  void revert() override { write(before_); }
+  void apply() override { write(after_); }
 
  private:
   [[nodiscard]] schema::Ref target() const;

@@ -65,7 +65,9 @@ VectorEditor::VectorEditor(const FormContext& context, const schema::Field& fiel
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setSpacing(form_style::kGrid);
-  for (std::size_t i = 0; i < field.size; ++i) addComponent(i);
+  // A vector of another length is another structure: the form makes its editors anew.
+  const auto components = std::get<std::vector<double>>(model().get(path));
+  for (std::size_t i = 0; i < components.size(); ++i) addComponent(i);
   setFocusProxy(edits_.front());
   VectorEditor::unitsChanged();
 }

@@ -25,16 +25,31 @@ RowTableModel::RowTableModel(const FormContext& context, QString listPath, QObje
     : QAbstractTableModel(parent), context_(context), list_(std::move(listPath)) {
   const auto at = context.model->find(list_);
   Q_ASSERT(at && at->field->kind == Kind::List);
-  addColumns(at->field->childType(at->owner, 0), {});
+  findColumns();
 }
 
-void RowTableModel::addColumns(const schema::Type& type, const QString& prefix) {
-  for (const auto& field : type.fields) {
+void RowTableModel::findColumns() {
+  columns_.clear();
+  const auto at = context_.model->find(list_);
+  if (!at) return;
+  const void* first =
+      at->field->count(at->owner) > 0 ? at->field->constChild(at->owner, 0) : nullptr;
+  addColumns({&at->field->childType(at->owner, 0), first}, {});
+}
+
+void RowTableModel::addColumns(schema::ConstRef row, const QString& prefix) {
+  for (const auto& field : row.type->fields) {
     const QString key = joinPath(prefix, toQString(field.key));
     if (field.kind == Kind::Group) {
-      addColumns(field.childType(nullptr, 0), key);
+      addColumns({&field.childType(nullptr, 0),
+                  row.object != nullptr ? field.constChild(row.object, 0) : nullptr},
+                 key);
     } else if (field.kind == Kind::Vector) {
-      for (int i = 0; i < static_cast<int>(field.size); ++i) columns_.push_back({key, &field, i});
+      // All rows are as long as the first.
+      const std::size_t components =
+          row.object == nullptr ? field.leastSize
+                                : std::get<std::vector<double>>(field.read(row.object)).size();
+      for (int i = 0; i < static_cast<int>(components); ++i) columns_.push_back({key, &field, i});
     } else if (field.isLeaf()) {
       columns_.push_back({key, &field, -1});
     }
@@ -76,6 +91,7 @@ QString RowTableModel::title(int column) const {
 
 void RowTableModel::reload() {
   beginResetModel();
+  findColumns();
   endResetModel();
 }
 
@@ -97,7 +113,11 @@ int RowTableModel::columnCount(const QModelIndex& parent) const {
 schema::Value RowTableModel::cellValue(int row, const Column& column) const {
   const schema::Value value = context_.model->get(leafPath(row, column));
   if (column.component < 0) return value;
-  return std::get<std::vector<double>>(value)[static_cast<std::size_t>(column.component)];
+  const auto& components = std::get<std::vector<double>>(value);
+  const auto index = static_cast<std::size_t>(column.component);
+  // A new row may be shorter until it has followed the others.
+  return index < components.size() ? schema::Value{components[index]}
+                                   : schema::Value{std::string()};
 }
 
 QString RowTableModel::cellText(int row, const Column& column) const {
@@ -106,6 +126,7 @@ QString RowTableModel::cellText(int row, const Column& column) const {
     return numberInUnit(*number, context_.units->shownUnit(*column.field), context_.locale);
   }
   if (column.field->kind == Kind::Text) return toQString(std::get<std::string>(value));
+  if (std::holds_alternative<std::string>(value) && column.component >= 0) return {};
   return valueText(*column.field, value, QStringLiteral("1"), context_.locale);
 }
 

@@ -47,7 +47,9 @@ class RowTableModel : public QAbstractTableModel {
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  private:
-  void addColumns(const schema::Type& type, const QString& prefix);
+  void findColumns();
+  /// `row`: the first one; no object if there is none.
+  void addColumns(schema::ConstRef row, const QString& prefix);
   [[nodiscard]] QString leafPath(int row, const Column& column) const;
   [[nodiscard]] schema::Value cellValue(int row, const Column& column) const;
   [[nodiscard]] QString cellText(int row, const Column& column) const;

@@ -13,7 +13,7 @@ struct SceneColors {
   QColor background, text, dimText, notice;
   Vec3f grid, gridMajor, shadow, dropLine;
   Vec3f frame, hub, frontArm, motor, blade, bladeTip, disc;
-  Vec3f thrust, trail, setPoint;
+  Vec3f thrust, trail, setPoint, wind;
   Vec3f axisX, axisY, axisZ;
   bool dark = false;
 };

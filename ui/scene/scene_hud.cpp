@@ -56,6 +56,17 @@ void addGridNumbers(SceneHud& hud, const SceneStage& stage, const Projector& pro
   }
 }
 
+/// The speed of the wind at the tail of its arrow.
+void addWind(SceneHud& hud, const SceneStage& stage, const Projector& project) {
+  const WindArrow arrow = windArrow(*stage.model(), stage.pose());
+  if (!(arrow.length > 0)) return;
+  const auto at = project(arrow.tail + Eigen::Vector3d(0, 0, 0.12 * stage.size().radius));
+  if (!at) return;
+  hud.labels.push_back({{at->x, at->y},
+                        tr("wind %1 m/s").arg(number(arrow.speed, 1)),
+                        toQColor(stage.colors().wind)});
+}
+
 /// The corners belong to the fixed writing.
 bool inCorner(const QRectF& place, const QRectF& area) {
   const bool high = place.top() < area.top() + 40;
@@ -115,6 +126,7 @@ SceneHud sceneHud(const SceneStage& stage, const QSizeF& size) {
       hud.labels.push_back({{at->x, at->y}, tr("set-point"), toQColor(stage.colors().setPoint)});
     }
   }
+  if (stage.options().wind) addWind(hud, stage, project);
   return hud;
 }
 

@@ -10,6 +10,8 @@ namespace {
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
+constexpr double kShaft = 0.024;  // thickness of an arrow, of the arms' length
+
 float toFloat(double v) {
   return static_cast<float>(v);
 }
@@ -69,7 +71,7 @@ Mesh setPointMesh(double radius, int sides, const Vec3f& color) {
 bool isFront(const SceneModel& model, const SceneRotor& rotor) {
   double furthest = 0;
   for (const SceneRotor& r : model.rotors) furthest = std::max(furthest, r.position.x());
-  return furthest > 1e-9 && rotor.position.x() > 0.5 * furthest;
+  return furthest > 1e-9 && rotor.position.x() > 0.8 * furthest;
 }
 
 double armSpan(const SceneModel& model) {
@@ -105,7 +107,7 @@ void addRotor(std::vector<SceneItem>& items, const SceneModel& model, std::size_
          bladeMesh(rotor.stations, rotor.radius, rotor.spin, colors.blade, colors.bladeTip), index,
          blade});
   }
-  const float shaft = toFloat(0.024 * span);
+  const float shaft = toFloat(kShaft * span);
   items.push_back({ItemRole::ThrustShaft, name + "thrust.shaft",
                    frustumMesh(shaft, shaft, 0, 1, high ? 14 : 6, colors.thrust), index});
   items.push_back({ItemRole::ThrustHead, name + "thrust.head",
@@ -113,13 +115,30 @@ void addRotor(std::vector<SceneItem>& items, const SceneModel& model, std::size_
                    index});
 }
 
-/// Length of an arrow head drawn at full size, as built in addRotor().
+/// Length of an arrow head drawn at full size, as built in addRotor() and itemsOf().
 double headLength(const SceneModel& model) {
-  return 7.0 * 0.024 * armSpan(model);
+  return 7.0 * kShaft * armSpan(model);
 }
 
 Quaterniond alongZ(const Vector3d& direction) {
   return Quaterniond::FromTwoVectors(Vector3d::UnitZ(), direction);
+}
+
+Placement placeWind(ItemRole role, const SceneModel& model, const ScenePose& pose, bool wanted) {
+  const WindArrow arrow = windArrow(model, pose);
+  Placement p;
+  p.visible = wanted && arrow.length > 0;
+  if (!p.visible) return p;
+  p.rotation = alongZ(arrow.direction);
+  const double head = std::min(headLength(model), 0.6 * arrow.length);
+  if (role == ItemRole::WindShaft) {
+    p.position = arrow.tail;
+    p.scale = {1, 1, arrow.length - head};
+  } else {
+    p.position = arrow.tail + (arrow.length - head) * arrow.direction;
+    p.scale = Vector3d::Constant(head / headLength(model));
+  }
+  return p;
 }
 
 Placement placeVehiclePart(const SceneItem& item, const SceneModel& model, const ScenePose& pose,
@@ -214,6 +233,13 @@ std::vector<SceneItem> itemsOf(const SceneModel& model, const SceneColors& color
     }
   }
   for (std::size_t i = 0; i < model.rotors.size(); ++i) addRotor(items, model, i, colors, detail);
+  if (!model.onStand) {
+    const float shaft = toFloat(kShaft * armSpan(model));
+    items.push_back({ItemRole::WindShaft, "wind.shaft",
+                     frustumMesh(shaft, shaft, 0, 1, sides / 2, colors.wind)});
+    items.push_back({ItemRole::WindHead, "wind.head",
+                     frustumMesh(2.6F * shaft, 0, 0, 7.0F * shaft, sides / 2, colors.wind)});
+  }
   return items;
 }
 
@@ -250,6 +276,10 @@ std::vector<Placement> placeItems(const std::vector<SceneItem>& items, const Sce
       case ItemRole::SetPoint:
         p.position = pose.setPoint.value_or(Vector3d::Zero());
         p.visible = options.setPoint && pose.setPoint && pose.setPoint->allFinite();
+        break;
+      case ItemRole::WindShaft:
+      case ItemRole::WindHead:
+        p = placeWind(item.role, model, pose, options.wind);
         break;
       case ItemRole::Hub:
         p.position = pose.position;
@@ -311,6 +341,20 @@ Vector3d gridMiddle(const Vector3d& position, double gridCell) {
 Vector3d hubOf(const SceneModel& model, const ScenePose& pose, std::size_t rotor) {
   if (model.elasticArms && rotor < pose.hubs.size()) return pose.hubs[rotor];
   return model.rotors[rotor].position;
+}
+
+WindArrow windArrow(const SceneModel& model, const ScenePose& pose) {
+  constexpr double kFull = 10;  // m/s for an arrow as long as the vehicle is wide
+  WindArrow arrow;
+  const Vector3d wind = pose.wind.value_or(model.wind.value_or(Vector3d::Zero()));
+  const double speed = wind.norm();
+  if (!(speed > 1e-3) || !std::isfinite(speed)) return arrow;
+  const double radius = sceneSize(model).radius;
+  arrow.speed = speed;
+  arrow.direction = wind / speed;
+  arrow.length = 2 * radius * std::clamp(speed / kFull, 0.2, 2.0);
+  arrow.tail = pose.position - (1.2 * radius + arrow.length) * arrow.direction;
+  return arrow;
 }
 
 double arrowLength(const SceneModel& model, const ScenePose& pose, std::size_t rotor) {

@@ -20,6 +20,7 @@ struct SceneOptions {
   bool grid = true;
   bool axes = true;
   bool setPoint = true;
+  bool wind = true;
   bool writing = true;  ///< time, height, camera
   bool operator==(const SceneOptions&) const = default;
 };
@@ -39,6 +40,8 @@ enum class ItemRole {
   Blade,
   ThrustShaft,
   ThrustHead,
+  WindShaft,
+  WindHead,
 };
 
 /// `rotor` and `blade` count from 0 where they apply. Names: "rotor2.blade1" and the like, from 1.
@@ -85,6 +88,13 @@ Mesh shadowMesh(const SceneModel& model, const ScenePose& pose, const SceneColor
 Eigen::Vector3d gridMiddle(const Eigen::Vector3d& position, double gridCell);
 /// Hub of a rotor in the body frame: from the pose where arms bend, else from the model.
 Eigen::Vector3d hubOf(const SceneModel& model, const ScenePose& pose, std::size_t rotor);
+/// The wind's arrow: from upwind towards the vehicle, longer in stronger wind. No direction: none.
+struct WindArrow {
+  Eigen::Vector3d tail, direction = Eigen::Vector3d::Zero();
+  double length = 0;  ///< m
+  double speed = 0;   ///< m/s
+};
+WindArrow windArrow(const SceneModel& model, const ScenePose& pose);
 /// Length of the thrust arrow in m, negative for negative thrust.
 double arrowLength(const SceneModel& model, const ScenePose& pose, std::size_t rotor);
 

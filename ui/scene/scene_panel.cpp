@@ -103,6 +103,7 @@ void ScenePanel::buildToolBar() {
   addSwitch("showGrid", tr("Ground grid"), &SceneOptions::grid);
   addSwitch("showAxes", tr("Axes"), &SceneOptions::axes);
   addSwitch("showSetPoint", tr("Set-point"), &SceneOptions::setPoint);
+  addSwitch("showWind", tr("Wind"), &SceneOptions::wind);
   for (QToolButton* button : tools_->findChildren<QToolButton*>()) {
     button->setFocusPolicy(Qt::StrongFocus);
     if (button->accessibleName().isEmpty()) button->setAccessibleName(button->text());

@@ -65,7 +65,7 @@ struct Flight4 {
     const auto ticks = std::lround(seconds / kTick);
     limited = 0;
     for (long k = 0; k < ticks; ++k) {
-      plant.derivativeAndForces(y, d, forces);
+      plant.derivativeAndForces(0, y, d, forces);
       plant.setCommand(controller.update(y, forces, setPoint));
       limited += controller.pid.limited() ? 1 : 0;
       mostCurrent = std::max(mostCurrent, y.segment<4>(L::kCurrent).cwiseAbs().maxCoeff());

@@ -278,7 +278,7 @@ void TestShippedComponents::slowFlyerSectionIsThatOfTheLine() {
 void TestShippedComponents::airframes() {
   QFETCH(const LibraryEntry*, entry);
   const auto& v = *entry->component.as<VehicleParameters>();
-  const double weight = massOf(v, 4).mass * kGravity;
+  const double weight = massOf(v).mass * kGravity;
   const RotorParameters& rotor = std::get<EqualRotors>(v.rotors).rotor;
   const RotorConstants r = buildRotor(rotor);
   const MotorConstants m = buildMotor(rotor.motor);
@@ -300,8 +300,8 @@ void TestShippedComponents::airframes() {
   }
   // The inertia belongs to a body of the size of the frame: radius of gyration against the arm.
   double arm = 0;
-  for (const auto& hub : rotorsOf(v, 4)) arm = std::max(arm, hub.placement.position.norm());
-  const auto inertia = massOf(v, 4).inertia;
+  for (const auto& hub : rotorsOf(v)) arm = std::max(arm, hub.placement.position.norm());
+  const auto inertia = massOf(v).inertia;
   BETWEEN(std::sqrt(inertia(0, 0) * kGravity / weight) / arm, 0.2, 0.8);
   BETWEEN(inertia(2, 2) / inertia(0, 0), admitsImplausible(entry->component.info) ? 0.1 : 1.0, 3);
 }

@@ -10,10 +10,11 @@
 
 using namespace rotorbench;
 using Eigen::Vector4d;
+using Signal = InputSignal<Vector4d>;
 
 namespace {
 
-InputSignal sampleSignal(Interpolation interpolation) {
+Signal sampleSignal(Interpolation interpolation) {
   return {{{1.0, Vector4d(1, 2, 3, 4)},
            {2.0, Vector4d(3, 2, 1, 0)},
            {4.0, Vector4d(7, 2, 1, -4)},
@@ -23,23 +24,26 @@ InputSignal sampleSignal(Interpolation interpolation) {
 
 /// A source in a folder of its own.
 template <class Inputs, class Csv>
-InputSignal load(const QByteArray& text, Interpolation interpolation = Interpolation::Linear) {
+RotorInputs load(const QByteArray& text, int rotors,
+                 Interpolation interpolation = Interpolation::Linear) {
   const QTemporaryDir folder;
   QFile file(folder.filePath("inputs.csv"));
   if (!file.open(QIODevice::WriteOnly) || file.write(text) != text.size()) qFatal("no file");
   file.close();
   Inputs inputs;
   inputs.source = Csv{"inputs.csv", interpolation};
-  return loadInputs(inputs, folder.path().toStdString());
+  return loadInputs(inputs, rotors, folder.path().toStdString());
 }
-InputSignal loadSpeeds(const QByteArray& text) {
-  return load<SpeedInputs, CsvInputs<RotorSpeedQuantity>>(text);
+RotorInputs loadSpeeds(const QByteArray& text, int rotors = 4) {
+  return load<SpeedInputs, CsvInputs<RotorSpeedQuantity>>(text, rotors);
 }
-InputSignal loadVoltages(const QByteArray& text) {
-  return load<VoltageInputs, CsvInputs<MotorVoltageQuantity>>(text, Interpolation::Hold);
+RotorInputs loadVoltages(const QByteArray& text) {
+  return load<VoltageInputs, CsvInputs<MotorVoltageQuantity>>(text, 4, Interpolation::Hold);
 }
 
-void compare(const Vector4d& actual, const Vector4d& expected) {
+/// The first four lanes; those beyond are nobody's.
+void compare(const PerRotor& lanes, const Vector4d& expected) {
+  const Vector4d actual = lanes.head<4>();
   QVERIFY2((actual - expected).norm() < 1e-12 * (1 + expected.norm()),
            qPrintable(
                QString("%1 %2 %3 %4").arg(actual[0]).arg(actual[1]).arg(actual[2]).arg(actual[3])));
@@ -59,6 +63,7 @@ class TestPrescribedInputs : public QObject {
   void units_data();
   void units();
   void voltagesFromCsv();
+  void sixAndEightRotors();
   void badCsv_data();
   void badCsv();
   void negativeVoltage();
@@ -93,7 +98,7 @@ void TestPrescribedInputs::betweenSamples() {
 /// A signal asked forwards, backwards and to and fro says the same as one asked for the first time.
 void TestPrescribedInputs::anyOrderOfTimes() {
   for (const auto interpolation : {Interpolation::Hold, Interpolation::Linear}) {
-    InputSignal signal = sampleSignal(interpolation);
+    Signal signal = sampleSignal(interpolation);
     for (const double t : {0.0, 1.5, 4.2, 5.0, 4.2, 3.0, 1.0, 0.5, 4.5, 1.99, 2.0, 1.99}) {
       QCOMPARE(signal.at(t), sampleSignal(interpolation).at(t));
     }
@@ -102,18 +107,18 @@ void TestPrescribedInputs::anyOrderOfTimes() {
 
 void TestPrescribedInputs::constantForAllTimes() {
   SpeedInputs inputs;
-  inputs.source = ConstantInputs<RotorSpeedQuantity>{Vector4d(1, 2, 3, 4)};
-  InputSignal signal = loadInputs(inputs, {});
-  for (const double t : {0.0, 1e-3, 36000.0}) QCOMPARE(signal.at(t), Vector4d(1, 2, 3, 4));
+  inputs.source = ConstantInputs<RotorSpeedQuantity>{{1, 2, 3, 4}};
+  RotorInputs signal = loadInputs(inputs, 4, {});
+  for (const double t : {0.0, 1e-3, 36000.0}) compare(signal.at(t), Vector4d(1, 2, 3, 4));
 }
 
 void TestPrescribedInputs::tableOfTheExperiment() {
   VoltageInputs inputs;
   TableInputs<MotorVoltageQuantity> table;
-  table.rows = {{0, Vector4d::Constant(2)}, {1, Vector4d::Constant(6)}};
+  table.rows = {{0, {2, 2, 2, 2}}, {1, {6, 6, 6, 6}}};
   table.interpolation = Interpolation::Linear;
   inputs.source = table;
-  InputSignal signal = loadInputs(inputs, {});
+  RotorInputs signal = loadInputs(inputs, 4, {});
   QCOMPARE(signal.interpolation(), Interpolation::Linear);
   compare(signal.at(0.75), Vector4d::Constant(5));
 }
@@ -134,15 +139,30 @@ void TestPrescribedInputs::units() {
   QFETCH(QByteArray, header);
   QFETCH(double, time);
   QFETCH(double, factor);
-  InputSignal signal = loadSpeeds(header + "\n0,0,0,0,0\n100,3000,20,-30,40\n");
+  RotorInputs signal = loadSpeeds(header + "\n0,0,0,0,0\n100,3000,20,-30,40\n");
   compare(signal.at(time), Vector4d(3000 * factor, 20, -30, 40));
   compare(signal.at(time / 2), Vector4d(1500 * factor, 10, -15, 20));
 }
 
 void TestPrescribedInputs::voltagesFromCsv() {
-  InputSignal signal =
+  RotorInputs signal =
       loadVoltages("time [s];v1 [V];v2 [mV];v3 [V];v4 [V]\n0;5,5;6000;7;8\n1;1;1;1;1\n");
   compare(signal.at(0.5), Vector4d(5.5, 6, 7, 8));
+}
+
+/// As many columns as the vehicle has rotors, and one for the time.
+void TestPrescribedInputs::sixAndEightRotors() {
+  RotorInputs six = loadSpeeds("time,a,b,c,d,e,f\n0,1,2,3,4,5,6\n2,1,2,3,4,5,8\n", 6);
+  compare(six.at(1), Vector4d(1, 2, 3, 4));
+  QCOMPARE(six.at(1)[4], 5.0);
+  QCOMPARE(six.at(1)[5], 7.0);
+  QCOMPARE(loadSpeeds("time,a,b,c,d,e,f,g,h\n0,1,2,3,4,5,6,7,8\n", 8).at(0)[7], 8.0);
+  try {
+    loadSpeeds("time,a,b,c,d\n0,1,2,3,4\n", 6);
+    QFAIL("four columns for six rotors");
+  } catch (const InputError& error) {
+    QVERIFY(error.problems().front().allowed.find("7: time") == 0);
+  }
 }
 
 void TestPrescribedInputs::badCsv_data() {
@@ -189,7 +209,7 @@ void TestPrescribedInputs::badCsv() {
 void TestPrescribedInputs::negativeVoltage() {
   const QByteArray text = "time,a,b,c,d\n0,-1,2,3,4\n";
   // A rotor may turn backwards, and a reversible speed controller may turn it so.
-  InputSignal speeds = loadSpeeds(text), voltages = loadVoltages(text);
+  RotorInputs speeds = loadSpeeds(text), voltages = loadVoltages(text);
   QCOMPARE(speeds.at(0)[0], -1.0);
   QCOMPARE(voltages.at(0)[0], -1.0);
   QVERIFY_THROWS_EXCEPTION(InputError, loadVoltages("time,a,b,c,d\n0,-1001,2,3,4\n"));
@@ -200,7 +220,7 @@ void TestPrescribedInputs::missingFile() {
   SpeedInputs inputs;
   inputs.source = CsvInputs<RotorSpeedQuantity>{"nowhere.csv", Interpolation::Hold};
   try {
-    loadInputs(inputs, folder.path().toStdString());
+    loadInputs(inputs, 4, folder.path().toStdString());
     QFAIL("accepted");
   } catch (const InputError& error) {
     QVERIFY2(QString::fromStdString(error.source()).endsWith("nowhere.csv"), error.what());
@@ -212,7 +232,7 @@ void TestPrescribedInputs::noFileNamed() {
   SpeedInputs inputs;
   inputs.source = CsvInputs<RotorSpeedQuantity>{};
   try {
-    loadInputs(inputs, {}, Place("setup") / "control");
+    loadInputs(inputs, 4, {}, Place("setup") / "control");
     QFAIL("accepted");
   } catch (const InputError& error) {
     QCOMPARE(error.problems().front().path, std::string("setup.control.source.file"));

@@ -49,11 +49,11 @@ void TestIdealSensors::accelerometerFeelsThrustAndNotGravity() {
   start.attitude = {0.4, 0.3, -1};
   Multirotor<4>::State d;
   MultirotorForces<4> forces;
-  plant.derivativeAndForces(plant.initialState(start), d, forces);
+  plant.derivativeAndForces(0, plant.initialState(start), d, forces);
   // Rotors at hover speed, vehicle at rest: the whole thrust, along body z.
   QVERIFY((forces.specificForce - Vector3d(0, 0, 9.80665)).norm() < 1e-10);
   start.rotors = RotorStart::Stopped;
-  plant.derivativeAndForces(plant.initialState(start), d, forces);
+  plant.derivativeAndForces(0, plant.initialState(start), d, forces);
   QVERIFY(forces.specificForce.norm() < 1e-10);
 }
 

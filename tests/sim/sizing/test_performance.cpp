@@ -127,7 +127,7 @@ class TestPerformance : public QObject {
     Vehicle::State y = Vehicle::State::Zero(), rate;
     y.segment<4>(L::kAttitude) = quaternionOf({trim.roll, trim.pitch, 0});
     y[L::kVelocity] = trim.speed;
-    Vehicle::setRotorSpeeds(y, trim.rotors);
+    Vehicle::setRotorSpeeds(y, trim.rotors());
     vehicle.setBodyRates(y, Eigen::Vector3d::Zero());
     vehicle(0, y, rate);
     QVERIFY(rate.segment<3>(L::kVelocity).norm() < 1e-6);

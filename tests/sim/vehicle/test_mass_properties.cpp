@@ -27,7 +27,7 @@ void TestMassProperties::partsFollowThesisFormula() {
   v.layout = PlusLayout{.arm = 0.2};
   v.mass = PartsMass{.bodyMass = 1, .bodyRadius = 0.1};
   std::get<EqualRotors>(v.rotors).rotor.mass = 0.1;
-  const MassProperties m = massOf(v, 4);
+  const MassProperties m = massOf(v);
   QVERIFY(std::abs(m.mass - 1.4) < 1e-15);
   QVERIFY(m.centre.norm() < 1e-15);
   QVERIFY(m.inertia.isApprox(Vector3d(0.012, 0.012, 0.02).asDiagonal().toDenseMatrix(), 1e-12));
@@ -39,7 +39,7 @@ void TestMassProperties::anyPartsFollowParallelAxes() {
   v.mass = PartsMass{.bodyMass = 0.9, .bodyRadius = 0.08, .bodyPosition = {0.01, -0.02, 0.03}};
   v.payloads = {{0.2, {0.1, 0.05, -0.1}}};
   v.deviations = {{2, {0.03, 0.01, -0.02}, 0.02}};
-  const MassProperties m = massOf(v, 4);
+  const MassProperties m = massOf(v);
 
   // By hand: all points, then the tensor about the actual centre.
   std::vector<std::pair<double, Vector3d>> points{{0.2, {0.1, 0.05, -0.1}}};
@@ -67,11 +67,11 @@ void TestMassProperties::anyPartsFollowParallelAxes() {
 void TestMassProperties::deviationOfAMeasuredVehicleMovesItsMotor() {
   VehicleParameters v;  // F450, 1.4 kg given directly, motors of 55 g
   v.deviations = {{1, {0.02, 0, 0}, 0.01}};
-  const MassProperties m = massOf(v, 4);
+  const MassProperties m = massOf(v);
   QVERIFY(std::abs(m.mass - 1.41) < 1e-14);
   // 55 g moved by 2 cm and 10 g more at 0.1851 m.
   QVERIFY(std::abs(m.centre.x() - (0.055 * 0.02 + 0.01 * 0.1851) / 1.41) < 1e-12);
-  const MassProperties planned = massOf(v, 4, true);
+  const MassProperties planned = massOf(v, true);
   QVERIFY(std::abs(planned.mass - 1.4) < 1e-15);
   QVERIFY(planned.centre.norm() < 1e-15);
 }
@@ -99,7 +99,7 @@ void TestMassProperties::impossibleInertiaIsRefused() {
   QCOMPARE(problems.empty(), possible);
   bool thrown = false;
   try {
-    massOf(v, 4);
+    massOf(v);
   } catch (const InputError& e) {
     thrown = !e.problems().empty();
   }
@@ -130,7 +130,7 @@ void TestMassProperties::rotorsAreNumberedFromTheFront() {
   QFETCH(double, spin);
   const RotorLayout layout =
       cross ? RotorLayout(CrossLayout{}) : RotorLayout(PlusLayout{.arm = 0.2});
-  const auto place = placeRotors(layout, 4)[static_cast<std::size_t>(rotor - 1)];
+  const auto place = placeRotors(layout)[static_cast<std::size_t>(rotor - 1)];
   QVERIFY(std::abs(place.position.x() - x) < 1e-12);
   QVERIFY(std::abs(place.position.y() - y) < 1e-12);
   QCOMPARE(spinSign(place.spin), spin);
@@ -142,7 +142,7 @@ void TestMassProperties::wrongRotorsAreNamed() {
   v.layout = FreeLayout{};
   std::get<FreeLayout>(v.layout).rotors.resize(3);
   try {
-    rotorsOf(v, 4);
+    rotorsOf(v);
     QFAIL("a layout of three rotors and a deviation of the fifth were accepted");
   } catch (const InputError& e) {
     QCOMPARE(e.problems().size(), std::size_t{2});

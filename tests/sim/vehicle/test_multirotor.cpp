@@ -321,7 +321,7 @@ void TestMultirotor::electricalPowerIsAccountedFor() {
   plant.setCommand({0.9, 0.3, 0.5, 0.7});
   Driven::State d;
   MultirotorForces<4> f;
-  plant.derivativeAndForces(y, d, f);
+  plant.derivativeAndForces(0, y, d, f);
   double used = 0, given = 0;
   for (std::size_t i = 0; i < 4; ++i) {
     const auto k = static_cast<Eigen::Index>(i);

@@ -212,7 +212,7 @@ class TestMultirotorEsc : public QObject {
       y[L::kPolarisation] = 0.2 * any(random);
       // settle() has taken away what a passive speed controller does not let flow.
       plant.setCommand(command, y);
-      const FlightPowers p = plant.powers(y);
+      const FlightPowers p = plant.powers(0, y);
       const double size = std::abs(p.source) + std::abs(p.shaft) + std::abs(p.magnetic) +
                           std::abs(p.kinetic) + p.copperLoss;
       QVERIFY2(std::abs(p.residual()) <= 1e-9 * size,

@@ -61,7 +61,7 @@ void TestMultirotorJacobian::exactJacobianEqualsCentralDifferences() {
     using S = typename std::decay_t<decltype(in)>::Scalar;
     Plant::StateOf<S> y = in.template head<Plant::kStates>(), d;
     Plant::CommandOf<S> u = in.template tail<4>();
-    plant.derivative(u, y, d);
+    plant.derivative<typename std::decay_t<decltype(u)>::Scalar>(0, u, y, d);
     return d;
   };
   Eigen::Matrix<Dual, kInputs, 1> dual;
@@ -109,7 +109,7 @@ void TestMultirotorJacobian::commandReachesTheMotors() {
   Plant::CommandOf<Dual> command;
   for (int k = 0; k < Plant::kStates; ++k) state[k] = Dual(y[k], kInputs, k);
   for (int k = 0; k < 4; ++k) command[k] = Dual(u[k], kInputs, Plant::kStates + k);
-  plant.derivative(command, state, rate);
+  plant.derivative(0, command, state, rate);
   const double gain = 11.1 / 50e-6;  // V over L: an ideal supply of 11.1 V, 50 uH
   const auto slope = [&](int of, int by) { return rate[of].derivatives()[by]; };
   const bool lag = responseTime > 0;

@@ -90,8 +90,8 @@ class TestMultirotorModels : public QObject {
     solved.setBodyRates(y, Vector3d::Zero());
     Plant::State d;
     MultirotorForces<4> a, b;
-    solved.derivativeAndForces(y, d, a);
-    mapped.derivativeAndForces(y, d, b);
+    solved.derivativeAndForces(0, y, d, a);
+    mapped.derivativeAndForces(0, y, d, b);
     for (std::size_t i = 0; i < 4; ++i) {
       const AxialLoad load = bench.axial(y[static_cast<int>(i)], 2.5, {});
       QVERIFY(std::abs(a.thrust[i] / load.thrust - 1) < 1e-9);
@@ -113,7 +113,7 @@ class TestMultirotorModels : public QObject {
       y.head<8>() << 300, 420, 510, 600, high, -3, 7, 16;
       for (const double duty : {0.1, 0.6, 1.0}) {
         plant.setCommand({duty, 0.3, 0.5, 0.7});
-        const FlightPowers p = plant.powers(y);
+        const FlightPowers p = plant.powers(0, y);
         QVERIFY2(std::abs(p.residual()) < 1e-9 * std::abs(p.source),
                  qPrintable(QString("%1 of %2 W").arg(p.residual()).arg(p.source)));
         Plant::State d;
@@ -155,17 +155,17 @@ class TestMultirotorModels : public QObject {
     MultirotorForces<4> f;
     plant.setCommand({0.6, 0.6, 0.6, 0.6});
     y.segment<4>(L::kCurrent).setConstant(5);
-    plant.derivativeAndForces(y, d, f);
+    plant.derivativeAndForces(0, y, d, f);
     const double open = Supply(SupplyModel(b)).openCircuit(0.5), pack = 3 * b.resistance;
     QVERIFY(std::abs(f.supplyCurrent - 12) < 1e-12);
     QVERIFY(std::abs(f.busVoltage - (open - pack * 12)) < 1e-9);
     QVERIFY(std::abs(d[L::kPolarisation] - 3 * b.polarisation * 12 / b.polarisationTime) < 1e-12);
     const double before = f.voltage[0];
     y[L::kCurrent + 3] = 15;
-    plant.derivativeAndForces(y, d, f);
+    plant.derivativeAndForces(0, y, d, f);
     QVERIFY(std::abs(f.voltage[0] - (before - 0.6 * pack * 6)) < 1e-9);
     y[L::kCharge] = 0.25 * b.capacity;
-    plant.derivativeAndForces(y, d, f);
+    plant.derivativeAndForces(0, y, d, f);
     QVERIFY(std::abs(f.stateOfCharge - 0.25) < 1e-12);
     QVERIFY(f.busVoltage < Supply(SupplyModel(b)).openCircuit(0.25));
   }
@@ -185,7 +185,7 @@ class TestMultirotorModels : public QObject {
       using S = typename std::decay_t<decltype(in)>::Scalar;
       Plant::StateOf<S> y = in.template head<Plant::kStates>(), d;
       Plant::CommandOf<S> u = in.template tail<4>();
-      plant.derivative(u, y, d);
+      plant.derivative<typename std::decay_t<decltype(u)>::Scalar>(0, u, y, d);
       return d;
     };
     Eigen::Matrix<Dual, kInputs, 1> dual;

@@ -1,36 +1,41 @@
-#include "sim/vehicle/multirotor.h"
+// Definitions of what multirotor.h declares. Included by the one source of each rotor count.
+#pragma once
 
 #include <Eigen/LU>
 #include <Eigen/QR>
 #include <algorithm>
 #include <limits>
 
+#include "sim/vehicle/multirotor.h"
+
 namespace rotorbench {
 
-namespace {
+namespace detail {
 
 /// Takes what evaluate() passes through into MultirotorForces.
 template <int N>
 struct ForcesSink {
   MultirotorForces<N>& out;
   using Lanes = Eigen::Array<double, N, 1>;
-  void operator()(const Lanes& thrust, const Lanes& torque, const Lanes& duty, const Lanes& voltage,
-                  const Eigen::Vector3d& rates, const Eigen::Vector3d& specificForce, double bus,
-                  double supplyCurrent) const {
+  template <class Electrical, class Flow>
+  void operator()(const Lanes& thrust, const Lanes& torque, const Electrical& power,
+                  const Flow& flow, const Eigen::Vector3d& specificForce) const {
     Eigen::Map<Lanes>(out.thrust.data()) = thrust;
     Eigen::Map<Lanes>(out.torque.data()) = torque;
-    Eigen::Map<Lanes>(out.duty.data()) = duty;
-    Eigen::Map<Lanes>(out.voltage.data()) = voltage;
-    out.rates = rates;
+    Eigen::Map<Lanes>(out.duty.data()) = power.duty;
+    Eigen::Map<Lanes>(out.voltage.data()) = power.voltage;
+    out.rates = flow.rates;
     out.specificForce = specificForce;
-    out.busVoltage = bus;
-    out.supplyCurrent = supplyCurrent;
+    out.busVoltage = power.bus;
+    out.supplyCurrent = power.supplyCurrent;
+    out.wind = flow.air.velocity;
+    out.density = flow.air.density;
   }
 };
 
 /// V below which a speed controller gives other than its duty asks for. A passive one that is
 /// reversible has to look each time which way it drives.
-double leastExcess(const EscConstants& esc, const MotorConstants& motor) {
+inline double leastExcess(const EscConstants& esc, const MotorConstants& motor) {
   if (esc.activeBraking) return -motor.resistance * esc.maxCurrent;
   return esc.least < 0 ? std::numeric_limits<double>::infinity() : 0;
 }
@@ -118,13 +123,17 @@ void lineariseAtHover(MultirotorConstants<N>& c) {
   }
 }
 
-}  // namespace
+}  // namespace detail
 
 template <int N>
 MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
                                        const EnvironmentParameters& environment, bool asPlanned) {
-  const std::vector<RotorAtHub> rotors = rotorsOf(vehicle, N, asPlanned);
-  const MassProperties body = massOf(vehicle, N, asPlanned);
+  const std::vector<RotorAtHub> rotors = rotorsOf(vehicle, asPlanned);
+  if (rotors.size() != static_cast<std::size_t>(N)) {
+    throw InputError({}, {{"layout", "has " + std::to_string(rotors.size()) + " rotors",
+                           std::to_string(N) + " rotors"}});
+  }
+  const MassProperties body = massOf(vehicle, asPlanned);
   MultirotorConstants<N> c;
   for (std::size_t i = 0; i < N; ++i) {
     auto& hub = c.hubs[i];
@@ -144,22 +153,22 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
   c.inertia = body.inertia;
   c.inverseInertia = body.inertia.inverse();
   c.gravity = environment.gravity;
-  c.air = buildAir(environment.air);
+  c.air = buildAir(environment);
   c.drag = vehicle.drag;
   c.supply = Supply(vehicle.supply);
   c.openCircuit = c.supply.openCircuit(c.supply.charge);
   c.lumped =
       std::ranges::all_of(c.hubs, [](const auto& hub) { return hub.rotor.model == nullptr; });
   c.passive = std::ranges::any_of(c.hubs, [](const auto& hub) { return !hub.esc.activeBraking; });
-  if (!c.lumped) lineariseAtHover(c);
-  c.lanes = lanesOf<N>(c.hubs);
+  if (!c.lumped) detail::lineariseAtHover(c);
+  c.lanes = detail::lanesOf<N>(c.hubs);
   return c;
 }
 
 template <int N, RotorDrive Drive>
-void Multirotor<N, Drive>::derivativeAndForces(const State& y, State& dydt,
+void Multirotor<N, Drive>::derivativeAndForces(double t, const State& y, State& dydt,
                                                MultirotorForces<N>& forces) const {
-  evaluate(command_, y, dydt, ForcesSink<N>{forces});
+  evaluate(t, command_, y, dydt, detail::ForcesSink<N>{forces});
   forces.acceleration = dydt.template segment<3>(Layout::kVelocity);
   forces.attitude = eulerAngles(y.template segment<4>(Layout::kAttitude));
   forces.stateOfCharge = stateOfCharge(y);
@@ -205,11 +214,11 @@ void Multirotor<N, Drive>::settle(State& y) const {
 }
 
 template <int N, RotorDrive Drive>
-FlightPowers Multirotor<N, Drive>::powers(const State& y) const {
+FlightPowers Multirotor<N, Drive>::powers(double t, const State& y) const {
   using L = Layout;
   State rate;
   MultirotorForces<N> forces{};
-  derivativeAndForces(y, rate, forces);
+  derivativeAndForces(t, y, rate, forces);
   FlightPowers p{};
   const double i = forces.supplyCurrent;
   p.source = openCircuit(y) * i;
@@ -256,11 +265,17 @@ void Multirotor<N, Drive>::setBodyRates(State& y, const Eigen::Vector3d& rates) 
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
     const FlightStart& start) const {
+  return initialState(start,
+                      start.rotors == RotorStart::Hover ? hoverSpeeds() : Command(Command::Zero()));
+}
+
+template <int N, RotorDrive Drive>
+typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
+    const FlightStart& start, const Command& hover) const {
   State y = State::Zero();
   if (start.rotors != RotorStart::Stopped) {
-    const Command speeds = start.rotors == RotorStart::Hover
-                               ? hoverSpeeds()
-                               : Command(Command::Constant(start.rotorSpeed));
+    const Command speeds =
+        start.rotors == RotorStart::Hover ? hover : Command(Command::Constant(start.rotorSpeed));
     setRotorSpeeds(y, speeds);
     if constexpr (Drive == RotorDrive::Motors) {
       const double density = constants_.air.density(start.position.z());
@@ -281,7 +296,7 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
 
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const {
-  const Command squares = hoverSquares(constants_);
+  const Command squares = detail::hoverSquares(constants_);
   if (!(squares.minCoeff() >= 0) || !squares.allFinite()) {
     throw InputError({}, {{"layout", "the rotors cannot hold the vehicle level",
                            "rotors around the centre of mass, and air"}});
@@ -331,24 +346,5 @@ std::string Multirotor<N, Drive>::componentName(int index) {
   if (index == L::kCharge) return "supply.charge";
   return index == L::kPolarisation ? "supply.polarisation" : "supply.energy";
 }
-
-Eigen::Vector3d eulerAngles(const Eigen::Vector4d& q) {
-  const double w = q[0], x = q[1], y = q[2], z = q[3];
-  const double sine = std::clamp(2 * (w * y - z * x), -1.0, 1.0);
-  return {std::atan2(2 * (w * x + y * z), 1 - 2 * (x * x + y * y)), std::asin(sine),
-          std::atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z))};
-}
-
-Eigen::Vector4d quaternionOf(const Eigen::Vector3d& a) {
-  const Eigen::Quaterniond q = Eigen::AngleAxisd(a.z(), Eigen::Vector3d::UnitZ()) *
-                               Eigen::AngleAxisd(a.y(), Eigen::Vector3d::UnitY()) *
-                               Eigen::AngleAxisd(a.x(), Eigen::Vector3d::UnitX());
-  return {q.w(), q.x(), q.y(), q.z()};
-}
-
-template MultirotorConstants<4> buildMultirotor<4>(const VehicleParameters&,
-                                                   const EnvironmentParameters&, bool);
-template class Multirotor<4, RotorDrive::Motors>;
-template class Multirotor<4, RotorDrive::PrescribedSpeeds>;
 
 }  // namespace rotorbench
