@@ -142,6 +142,7 @@ std::optional<Trim> trimmedFlight(const MultirotorConstants<N>& vehicle, double 
   typename Balance<N>::Unknowns x;
   x << near.speeds.template head<N>() / scale, near.roll, near.pitch;
   auto left = balance.at(x);
+  bool moved = false;
   for (int k = 0; k < kNewtonSteps && !(left.cwiseAbs().maxCoeff() <= kConverged); ++k) {
     const typename Balance<N>::Unknowns step = leastNormSolution(balance.slopes(x), left);
     double share = 1;
@@ -153,6 +154,7 @@ std::optional<Trim> trimmedFlight(const MultirotorConstants<N>& vehicle, double 
     if (!(next.norm() < left.norm())) break;
     x -= share * step;
     left = next;
+    moved = true;
   }
   const double worst = left.cwiseAbs().maxCoeff();
   if (!(worst <= kAccepted) || !(x.template head<N>().minCoeff() >= 0)) return std::nullopt;
@@ -161,7 +163,10 @@ std::optional<Trim> trimmedFlight(const MultirotorConstants<N>& vehicle, double 
   trim.speed = speed;
   trim.roll = x[N];
   trim.pitch = x[N + 1];
-  trim.speeds.template head<N>() = scale * x.template head<N>();
+  // What balances already keeps its last bit.
+  trim.speeds.template head<N>() =
+      moved ? typename Multirotor<N>::Command(scale * x.template head<N>())
+            : typename Multirotor<N>::Command(near.speeds.template head<N>());
   trim.residual = worst * vehicle.gravity;
   balance.tell(x, trim);
   return trim;

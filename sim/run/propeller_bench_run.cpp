@@ -13,19 +13,19 @@ namespace rotorbench {
 
 namespace {
 
-using Signal = InputSignal<double>;
+using ScalarSignal = InputSignal<double>;
 
-Signal signalOf(const PropellerBench& bench) {
-  std::vector<Signal::Sample> samples;
+ScalarSignal signalOf(const PropellerBench& bench) {
+  std::vector<ScalarSignal::Sample> samples;
   for (const PropellerSpeedRow& row : bench.speeds) samples.push_back({row.time, row.speed});
   return {std::move(samples), bench.interpolation};
 }
 
-Signal streamOf(const PropellerBench& bench) {
+ScalarSignal streamOf(const PropellerBench& bench) {
   if (const auto* steady = std::get_if<SteadyStream>(&bench.stream))
     return {{{0, steady->speed}}, Interpolation::Hold};
   const auto& profile = std::get<StreamProfile>(bench.stream);
-  std::vector<Signal::Sample> samples;
+  std::vector<ScalarSignal::Sample> samples;
   for (const AirSpeedRow& row : profile.rows) samples.push_back({row.time, row.speed});
   return {std::move(samples), profile.interpolation};
 }
@@ -106,7 +106,7 @@ class PropellerBenchSimulation final : public SimulationBase {
     return room;
   }
 
-  Signal speed_, stream_;
+  ScalarSignal speed_, stream_;
   double duration_;
   std::int64_t every_, ticks_, done_ = 0;
   std::vector<PropellerTrack> tracks_;
