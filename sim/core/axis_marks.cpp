@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMarkRounding = 1e-9;  // of a step
 
-/// A product each, for sums of steps would drift; counted from 0, for far out there is no next index.
+/// A product each, for sums of steps would drift; counted from 0, for far out an index has no next.
 std::vector<double> multiples(double first, double last, double step) {
   std::vector<double> marks;
   for (double k = 0; k <= last - first; ++k) {

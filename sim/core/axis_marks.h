@@ -6,7 +6,7 @@
 
 namespace rotorbench {
 
-/// The step between marks that divides `width`, above 0, into at most about `most` parts, 1 or more.
+/// The step between marks that divides `width`, above 0, into at most `most` parts, 1 or more.
 double markStep(double width, int most);
 
 /// The multiples of `step`, above 0, from low to high; none where no multiple lies between. An end

@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 
+#include "sim/numerics/scalar_search.h"
 #include "sim/sizing/figure.h"
 
 namespace rotorbench {
@@ -71,24 +72,21 @@ Discharge discharge(const Supply& supply, const ConstantLoad& load) {
   if (!(supply.inverseCapacity > 0) || !(load.power > 0)) {
     return {std::numeric_limits<double>::infinity(), cells.charge, DischargeEnd::Never};
   }
-  double step = supply.openCircuit(supply.charge) / (load.power * supply.inverseCapacity) / kSteps;
+  const double step =
+      supply.openCircuit(supply.charge) / (load.power * supply.inverseCapacity) / kSteps;
   double time = 0;
   while (!run.end(run.after(cells, step))) {
     cells = run.after(cells, step);
     time += step;
   }
   DischargeEnd end = run.end(run.after(cells, step)).value_or(DischargeEnd::Reserve);
-  for (int k = 0; k < 40; ++k) {
-    step /= 2;
-    const Cells next = run.after(cells, step);
-    if (const auto found = run.end(next)) {
-      end = *found;
-    } else {
-      cells = next;
-      time += step;
-    }
-  }
-  return {time, cells.charge, end};
+  const auto goesOn = [&](double dt) {
+    const auto found = run.end(run.after(cells, dt));
+    if (found) end = *found;
+    return !found;
+  };
+  const double rest = findLast(goesOn, 0, step);
+  return {time + rest, run.after(cells, rest).charge, end};
 }
 
 Sentence reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load) {
