@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "sim/numerics/scalar_search.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/sizing/figure.h"
 
 namespace rotorbench {
@@ -61,8 +62,8 @@ class Discharger {
 }  // namespace
 
 double voltageUnder(double power, double inner, double resistance) {
-  const double root = inner * inner - 4 * resistance * power;
-  return root < 0 ? std::numeric_limits<double>::quiet_NaN() : 0.5 * (inner + std::sqrt(root));
+  if (busReserve(inner, power, resistance) < 0) return std::numeric_limits<double>::quiet_NaN();
+  return busVoltage(inner, power, resistance);
 }
 
 Discharge discharge(const Supply& supply, const ConstantLoad& load) {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "sim/numerics/scalar_search.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/sizing/discharge.h"
 
 namespace rotorbench {
@@ -45,7 +46,8 @@ Margin marginOf(const SteadyFlight& flight, const Trim& trim, double throttleLim
   const double inner = supply.openCircuit(supply.charge);
   const double bus = voltageUnder(demand.power, inner, supply.resistance);
   if (std::isnan(bus)) {
-    return {1 - 4 * supply.resistance * demand.power / (inner * inner), FlightLimit::Supply};
+    const double reserve = busReserve(inner, demand.power, supply.resistance);
+    return {reserve / (inner * inner), FlightLimit::Supply};
   }
   Margin least{throttleLimit - demand.voltage.maxCoeff() / bus, FlightLimit::Throttle};
   const auto consider = [&least](double value, FlightLimit limit) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "sim/core/rising.h"
+#include "sim/propulsion/drive/bus.h"
 
 namespace rotorbench {
 
@@ -68,9 +69,8 @@ double Supply::secondsAt(double power, double stateOfCharge) const {
   double time = 0;
   for (int i = 0; i < kParts; ++i) {
     const double open = openCircuit(stateOfCharge - (i + 0.5) * part);
-    const double root = open * open - 4 * inner * power;
-    if (root < 0) break;  // more than the pack can give
-    const double voltage = 0.5 * (open + std::sqrt(root));
+    if (busReserve(open, power, inner) < 0) break;
+    const double voltage = busVoltage(open, power, inner);
     if (voltage < cutOff) break;
     time += part / inverseCapacity * voltage / power;
   }

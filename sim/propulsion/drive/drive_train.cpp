@@ -97,11 +97,9 @@ DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
   y[kPolarisation] = polarisation;
   const double sign = y[kDuty] < 0 ? -1 : 1;
   const double inner = supply_.openCircuit(charge) - polarisation;
-  const double resistance =
-      motor_.resistance + esc_.resistance + y[kDuty] * y[kDuty] * supply_.resistance;
+  const double duty = y[kDuty];
   const auto current = [&](double w) {
-    const double i = (std::abs(y[kDuty]) * inner - motor_.torqueConstant * w) / resistance;
-    return std::min(i, esc_.maxCurrent);
+    return sign * quasiStaticCurrent(duty, inner, sign * motor_.torqueConstant * w);
   };
   const double free = std::abs(y[kDuty]) * inner / motor_.torqueConstant;
   if (!(free > 0)) return y;

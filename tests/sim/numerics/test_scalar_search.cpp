@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <stdexcept>
 
 #include "sim/numerics/bracketed_root.h"
 #include "sim/numerics/scalar_search.h"
@@ -46,21 +47,23 @@ class TestScalarSearch : public QObject {
   void roots() {
     QFETCH(int, index);
     const Case& c = kCases[index];
+    const double low = c.low, high = c.high;
+    const ScalarFunction given = c.f;
     int calls = 0;
     const auto f = [&](double x) {
       ++calls;
-      if (x < c.low || x > c.high) throw std::out_of_range("outside the interval");
-      return c.f(x);
+      if (x < low || x > high) throw std::out_of_range("outside the interval");
+      return given(x);
     };
     for (const double part : {1e-3, 1e-6, 1e-12}) {
-      const double tolerance = part * (c.high - c.low);
+      const double tolerance = part * (high - low);
       calls = 0;
-      const double root = findRoot(f, c.low, c.high, tolerance);
+      const double root = findRoot(f, low, high, tolerance);
       QVERIFY2(std::abs(root - c.root) <= tolerance * (1 + 1e-9),
                qPrintable(QString::number(root, 'g', 17)));
       QVERIFY2(calls <= 310, qPrintable(QString::number(calls)));
-      QCOMPARE(findRoot(f, c.low, c.f(c.low), c.high, c.f(c.high), tolerance), root);
-      const double inlined = bracketedRoot(f, c.low, c.f(c.low), c.high, c.f(c.high), tolerance);
+      QCOMPARE(findRoot(f, low, f(low), high, f(high), tolerance), root);
+      const double inlined = bracketedRoot(f, low, f(low), high, f(high), tolerance);
       QVERIFY(std::abs(inlined - root) <= 4 * tolerance);
     }
   }
