@@ -6,7 +6,7 @@
 build_packages=(
   cmake ninja-build g++ mold
   qt6-base-dev qt6-charts-dev qt6-3d-dev qt6-svg-dev libqt6opengl6-dev libgl-dev
-  libeigen3-dev nlohmann-json3-dev libcli11-dev libceres-dev zlib1g-dev
+  libboost-dev libceres-dev libcli11-dev libeigen3-dev nlohmann-json3-dev zlib1g-dev
 )
 # shellcheck disable=SC2034
 run_packages=(
@@ -14,7 +14,7 @@ run_packages=(
 )
 # shellcheck disable=SC2034
 test_packages=(
-  desktop-file-utils libboost-dev poppler-utils python3-jsonschema
+  desktop-file-utils poppler-utils python3-jsonschema
 )
 # shellcheck disable=SC2034
 check_packages=(
@@ -27,7 +27,7 @@ compare_packages=(
 )
 # shellcheck disable=SC2034
 bench_packages=(
-  libbenchmark-dev libboost-dev valgrind
+  libbenchmark-dev valgrind
 )
 # shellcheck disable=SC2034
 package_packages=(

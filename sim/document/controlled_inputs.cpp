@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "sim/core/box_members.h"
+#include "sim/core/rising.h"
 
 namespace rotorbench {
 
@@ -37,19 +38,11 @@ void Describe<ControlledInputs>::fields(schema::Builder<ControlledInputs>& b) {
   b.moved("controller.motors", "motors");
   b.variant("controller", &ControlledInputs::controller, "Controller").untyped();
   b.group("motors", &ControlledInputs::motors, "Motor speed controllers");
-  b.list("setPoints", &ControlledInputs::setPoints, "Timeline")
+  schema::risingList(b, "setPoints", &ControlledInputs::setPoints, "Timeline", &SetPointRow::time,
+                     schema::kRisingTimes, "Set-points over time.")
       .items(1, 100000)
-      .table()
-      .help("Set-points over time. Times must rise from row to row.");
+      .table();
   b.choice("interpolation", &ControlledInputs::interpolation, "Between the rows", interpolations());
-  b.check([](const ControlledInputs& c, std::vector<Problem>& problems) {
-    for (std::size_t i = 1; i < c.setPoints.size(); ++i) {
-      if (c.setPoints[i].time <= c.setPoints[i - 1].time) {
-        problems.push_back({"setPoints[" + std::to_string(i) + "].time",
-                            "is not later than the row before", "times must rise from row to row"});
-      }
-    }
-  });
 }
 
 template class Box<ControlledInputs>;

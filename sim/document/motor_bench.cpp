@@ -1,5 +1,7 @@
 #include "sim/document/motor_bench.h"
 
+#include "sim/core/rising.h"
+
 namespace rotorbench {
 
 void Describe<ThrottleStep>::fields(schema::Builder<ThrottleStep>& b) {
@@ -18,21 +20,12 @@ void Describe<MotorBench>::fields(schema::Builder<MotorBench>& b) {
           "characteristic curves over speed, voltage and throttle.",
           "Thesis 2014, figures 3.14-3.18");
   b.group("stand", &MotorBench::stand, "Drive");
-  b.list("throttle", &MotorBench::throttle, "Throttle")
+  schema::risingList(b, "throttle", &MotorBench::throttle, "Throttle", &ThrottleStep::time,
+                     schema::kRisingTimes, "Negative throttle needs a reversible speed controller.")
       .items(1, 100000)
-      .table()
-      .help(
-          "Times must rise from row to row. Negative throttle needs a reversible speed "
-          "controller.");
+      .table();
   b.choice("interpolation", &MotorBench::interpolation, "Between the rows", interpolations());
   b.group("run", &MotorBench::run, "Run");
-  b.check([](const MotorBench& m, std::vector<Problem>& problems) {
-    for (std::size_t i = 1; i < m.throttle.size(); ++i) {
-      if (m.throttle[i].time <= m.throttle[i - 1].time)
-        problems.push_back({"throttle[" + std::to_string(i) + "].time",
-                            "is not later than the row before", "times must rise from row to row"});
-    }
-  });
 }
 
 }  // namespace rotorbench

@@ -1,5 +1,7 @@
 #include "sim/document/motor_speed_run.h"
 
+#include "sim/core/rising.h"
+
 namespace rotorbench {
 
 void Describe<SpeedStep>::fields(schema::Builder<SpeedStep>& b) {
@@ -17,21 +19,14 @@ void Describe<MotorSpeedRun>::fields(schema::Builder<MotorSpeedRun>& b) {
           "Thesis 2014, experiment 5, figures 4.7-4.9");
   b.group("stand", &MotorSpeedRun::stand, "Drive");
   b.group("controller", &MotorSpeedRun::controller, "Speed controller");
-  b.list("setPoints", &MotorSpeedRun::setPoints, "Set-points")
+  schema::risingList(b, "setPoints", &MotorSpeedRun::setPoints, "Set-points", &SpeedStep::time,
+                     schema::kRisingTimes)
       .items(1, 100000)
-      .table()
-      .help("Times must rise from row to row.");
+      .table();
   b.boolean("compareUnsaturated", &MotorSpeedRun::compareUnsaturated, "Compare without saturation")
       .help(
           "Runs the same steps a second time with a drive that gives any voltage and any current.");
   b.group("run", &MotorSpeedRun::run, "Run");
-  b.check([](const MotorSpeedRun& m, std::vector<Problem>& problems) {
-    for (std::size_t i = 1; i < m.setPoints.size(); ++i) {
-      if (m.setPoints[i].time <= m.setPoints[i - 1].time)
-        problems.push_back({"setPoints[" + std::to_string(i) + "].time",
-                            "is not later than the row before", "times must rise from row to row"});
-    }
-  });
 }
 
 }  // namespace rotorbench

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/core/rising.h"
 #include "sim/core/schema.h"
 #include "sim/signal/input_signal.h"
 #include "sim/signal/signals.h"
@@ -106,20 +107,11 @@ template <class Q>
 struct Describe<TableInputs<Q>> {
   static void fields(schema::Builder<TableInputs<Q>>& b) {
     b.title("table", "Table", "Values over time, kept in the experiment.");
-    b.list("rows", &TableInputs<Q>::rows, "Table")
+    schema::risingList(b, "rows", &TableInputs<Q>::rows, "Table", &InputRow<Q>::time,
+                       schema::kRisingTimes)
         .items(1, 100000)
-        .table()
-        .help("Times must rise from row to row.");
+        .table();
     b.choice("interpolation", &TableInputs<Q>::interpolation, "Between the rows", interpolations());
-    b.check([](const TableInputs<Q>& t, std::vector<Problem>& problems) {
-      for (std::size_t i = 1; i < t.rows.size(); ++i) {
-        if (t.rows[i].time <= t.rows[i - 1].time) {
-          problems.push_back({"rows[" + std::to_string(i) + "].time",
-                              "is not later than the row before",
-                              "times must rise from row to row"});
-        }
-      }
-    });
   }
 };
 

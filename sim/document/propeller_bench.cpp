@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sim/core/number_text.h"
+#include "sim/core/rising.h"
 #include "sim/core/schema_tree.h"
 #include "sim/document/propeller_bench.h"
 
@@ -16,16 +17,6 @@ using schema::upTo;
 namespace {
 
 constexpr double kFastest = 1e5;  // rad/s, as elsewhere
-
-template <class Row>
-void checkTimes(const std::vector<Row>& rows, const std::string& name,
-                std::vector<Problem>& problems) {
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].time <= rows[i - 1].time)
-      problems.push_back({name + "[" + std::to_string(i) + "].time",
-                          "is not later than the row before", "times must rise from row to row"});
-  }
-}
 
 std::string rpm(double speed) {
   return numberText(std::round(speed * 30 / std::numbers::pi)) + " rpm";
@@ -157,12 +148,10 @@ void Describe<SteadyStream>::fields(schema::Builder<SteadyStream>& b) {
 void Describe<StreamProfile>::fields(schema::Builder<StreamProfile>& b) {
   using P = StreamProfile;
   b.title("profile", "Over time", "Air speed along the axis over time, positive in climb.");
-  b.list("rows", &P::rows, "Air speed")
+  schema::risingList(b, "rows", &P::rows, "Air speed", &AirSpeedRow::time, schema::kRisingTimes)
       .items(1, 100000)
-      .table()
-      .help("Times must rise from row to row.");
+      .table();
   b.choice("interpolation", &P::interpolation, "Between the rows", interpolations());
-  b.check([](const P& p, std::vector<Problem>& problems) { checkTimes(p.rows, "rows", problems); });
 }
 
 void Describe<PropellerCurves>::fields(schema::Builder<PropellerCurves>& b) {
@@ -228,16 +217,14 @@ void Describe<PropellerBench>::fields(schema::Builder<PropellerBench>& b) {
       .range(atLeast(1e-7), upTo(1))
       .source("Sutherland's law at 15 degrees Celsius")
       .advanced();
-  b.list("speeds", &P::speeds, "Speed")
+  schema::risingList(b, "speeds", &P::speeds, "Speed", &PropellerSpeedRow::time,
+                     schema::kRisingTimes)
       .items(1, 100000)
-      .table()
-      .help("Times must rise from row to row.");
+      .table();
   b.choice("interpolation", &P::interpolation, "Between the rows", interpolations());
   b.variant("stream", &P::stream, "Air speed");
   b.group("curves", &P::curves, "Curves");
   b.group("run", &P::run, "Run");
-  b.check(
-      [](const P& p, std::vector<Problem>& problems) { checkTimes(p.speeds, "speeds", problems); });
   b.check([](const P& p, std::vector<Problem>& problems) {
     std::visit(CheckPropeller{p, "propeller", problems}, p.propeller);
     std::visit(CheckPropeller{p, "second", problems}, p.second);

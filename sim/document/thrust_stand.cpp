@@ -1,6 +1,6 @@
-#include <string>
-
 #include "sim/document/thrust_stand.h"
+
+#include "sim/core/rising.h"
 
 namespace rotorbench {
 
@@ -38,19 +38,12 @@ void Describe<ThrottleSweep>::fields(schema::Builder<ThrottleSweep>& b) {
 void Describe<ThrottleRows>::fields(schema::Builder<ThrottleRows>& b) {
   using P = ThrottleRows;
   b.title("rows", "Timeline", "Any steps or ramps.");
-  b.list("rows", &P::rows, "Throttle")
+  schema::risingList(b, "rows", &P::rows, "Throttle", &ThrottleStep::time, schema::kRisingTimes,
+                     "Read where a row ends.")
       .items(1, 100000)
-      .table()
-      .help("Times must rise from row to row. Read where a row ends.");
+      .table();
   b.choice("interpolation", &P::interpolation, "Between the rows", interpolations());
   b.number("duration", &P::duration, "Duration", "T", "s").range(above(0), upTo(36000));
-  b.check([](const P& p, std::vector<Problem>& problems) {
-    for (std::size_t i = 1; i < p.rows.size(); ++i) {
-      if (p.rows[i].time <= p.rows[i - 1].time)
-        problems.push_back({"rows[" + std::to_string(i) + "].time",
-                            "is not later than the row before", "times must rise from row to row"});
-    }
-  });
 }
 
 void Describe<StandRunSettings>::fields(schema::Builder<StandRunSettings>& b) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <unsupported/Eigen/SpecialFunctions>
 
+#include "sim/numerics/scalar_search.h"
+
 namespace rotorbench {
 
 namespace {
@@ -53,13 +55,10 @@ void remarkUndetermined(const Eigen::MatrixXd& unseen, const std::vector<std::si
 }  // namespace
 
 double studentQuantile(double p, double degrees) {
-  double low = 0, high = 1;
-  while (studentProbability(high, degrees) < p && high < 1e12) high *= 2;
-  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (studentProbability(middle, degrees) < p ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const auto beyond = [&](double t) { return studentProbability(t, degrees) - p; };
+  double high = 1;
+  while (beyond(high) < 0 && high < 1e12) high *= 2;
+  return findRoot(beyond, 0, high, 1e-13 * high);
 }
 
 void judgeParameters(const Eigen::MatrixXd& jacobian, const Eigen::VectorXd& residuals,

@@ -7,6 +7,7 @@
 #include "sim/core/error.h"
 #include "sim/fitting/duty_source.h"
 #include "sim/fitting/measured_rows.h"
+#include "sim/propulsion/drive/steady_motor.h"
 
 namespace rotorbench {
 
@@ -139,27 +140,16 @@ std::vector<DriveRow> rowsOf(const MeasuredTable& table, const MotorFitSetup& se
   return rows;
 }
 
-/// Speed held at terminal voltage v against torque + k w^2: dV = R i + K w with K i = friction +
-/// torque + k w^2. Friction is a straight line over the speed of a turning motor, so that this is a
-/// quadratic equation.
-double speedOf(const MotorConstants& m, double k, const DriveRow& row) {
-  const double perCurrent = m.resistance / m.torqueConstant;
-  const double a = perCurrent * k;
-  const double b = m.torqueConstant + perCurrent * m.viscousFriction;
-  const double c = perCurrent * (m.dryFriction + row.torque) - row.throttle * row.voltage;
-  // The stable form: no difference of nearly equal numbers where a is small.
-  return -2 * c / (b + std::sqrt(std::max(b * b - 4 * a * c, 0.0)));
-}
-
-double currentOf(const MotorConstants& m, double k, const DriveRow& row, double speed) {
-  return (m.dryFriction + m.viscousFriction * speed + row.torque + k * speed * speed) /
-         m.torqueConstant;
+/// Of a turning motor against torque + k w^2: its dry friction is constant.
+SteadyCurrent currentOf(const MotorConstants& m, double k, const DriveRow& row) {
+  return {(m.dryFriction + row.torque) / m.torqueConstant, m.viscousFriction / m.torqueConstant,
+          k / m.torqueConstant};
 }
 
 /// Supply current without a duty: the power of the motor over the voltage.
 double currentByPower(const MotorConstants& m, double k, const DriveRow& row) {
-  const double i = currentOf(m, k, row, row.speed);
-  return (m.resistance * i + m.torqueConstant * row.speed) * i / row.voltage;
+  const double i = currentOf(m, k, row).at(row.speed);
+  return m.steadyVoltage(row.speed, i) * i / row.voltage;
 }
 
 enum DriveOutput : std::size_t { kSpeed, kCurrent };
@@ -190,9 +180,11 @@ FitProblem problemOf(std::vector<DriveRow> rows, const std::vector<Choice>& choi
         predicted[i++] = currentByPower(m, at.torqueCoefficient, row);
         continue;
       }
-      const double speed = speedOf(m, at.torqueCoefficient, row);
+      const SteadyCurrent current = currentOf(m, at.torqueCoefficient, row);
+      const double speed =
+          steadySpeed(current, m.torqueConstant, m.resistance, row.throttle * row.voltage);
       predicted[i++] = speed;
-      predicted[i++] = row.throttle * currentOf(m, at.torqueCoefficient, row, speed);
+      predicted[i++] = row.throttle * current.at(speed);
     }
     return std::ranges::all_of(predicted, [](double value) { return std::isfinite(value); });
   };

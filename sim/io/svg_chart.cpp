@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "sim/core/axis_marks.h"
 #include "sim/io/label_width.h"
 
 namespace rotorbench {
@@ -66,7 +67,7 @@ std::string tickText(const std::vector<double>& ticks, double tick) {
   if (std::max(std::abs(ticks.front()), std::abs(ticks.back())) >= 1e6) {
     return number(tick, "%g");
   }
-  const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-9)), 0, 9);
+  const int decimals = std::min(markDecimals(step), 9);
   return number(std::abs(tick) < step / 1e6 ? 0 : tick,
                 ("%." + std::to_string(decimals) + "f").c_str());
 }
@@ -201,21 +202,7 @@ std::vector<double> axisTicks(double least, double greatest, int most) {
     const double reach = least == 0 ? 1 : std::abs(least) / 2;
     least -= reach, greatest += reach;
   }
-  const double rough = (greatest - least) / std::max(1, most - 1);
-  const double power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {1.0, 2.0, 5.0}) {
-    if (factor * power >= rough * (1 - 1e-9)) {
-      step = factor * power;
-      break;
-    }
-  }
-  constexpr double kRounding = 1e-9;  // an end that is a mark but for rounding
-  const double first = std::floor(least / step + kRounding);
-  const double last = std::max(first + 1, std::ceil(greatest / step - kRounding));
-  std::vector<double> ticks;
-  for (double i = first; i <= last; ++i) ticks.push_back(i * step);
-  return ticks;
+  return marksAround(least, greatest, markStep(greatest - least, most - 1));
 }
 
 std::string svgChart(const SvgChart& chart) {

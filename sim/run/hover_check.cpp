@@ -1,11 +1,11 @@
 #include "sim/run/hover_check.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sim/analysis/trim.h"
 #include "sim/core/number_text.h"
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {
@@ -39,13 +39,11 @@ std::string missingFor(const MultirotorConstants<N>& c, const Trim& hover) {
     power += voltage * current;
     if (voltage > mostVoltage) mostVoltage = voltage, mostRotor = i + 1;
   }
-  // As steadyDuties(): the supply's own resistance takes its part.
-  const double root = c.openCircuit * c.openCircuit - 4 * c.supply.resistance * power;
-  if (root < 0) {
+  if (busReserve(c.openCircuit, power, c.supply.resistance) < 0) {
     return "it takes " + three(power) + " W, and the supply gives at most " +
            three(c.openCircuit * c.openCircuit / (4 * c.supply.resistance)) + " W";
   }
-  const double bus = 0.5 * (c.openCircuit + std::sqrt(root));
+  const double bus = busVoltage(c.openCircuit, power, c.supply.resistance);
   if (mostVoltage > bus) {
     return "rotor " + std::to_string(mostRotor) + " needs " + three(mostVoltage) +
            " V, and the supply has " + three(bus) + " V under that load";
@@ -83,7 +81,7 @@ double fullThrottleLift(const MultirotorConstants<N>& c) {
   };
   const double top = surplus(open), low = 0.01 * open;
   if (!(top < 0)) return at(open).lift;
-  return at(bracketedRoot(surplus, low, surplus(low), open, top, 1e-6 * open)).lift;
+  return at(findRoot(surplus, low, surplus(low), open, top, 1e-6 * open)).lift;
 }
 
 /// How a flight comes to need a hover.

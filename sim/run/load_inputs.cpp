@@ -29,11 +29,11 @@ RotorInputs fromCsv(const CsvInputs<Quantity>& csv, int rotors,
   std::vector<RotorInputs::Sample> samples(time.size(), {0, PerRotor::Zero()});
   for (std::size_t r = 0; r < time.size(); ++r) {
     samples[r].time = time[r];
-    if (r > 0 && time[r] <= time[r - 1]) {
-      throw InputError(table.source,
-                       {{"row " + std::to_string(r + 1), "is not later than the row before",
-                         "times must rise from row to row"}});
-    }
+  }
+  using Sample = RotorInputs::Sample;
+  if (const auto wrong = schema::rowsNotRising(samples, &Sample::time); !wrong.empty()) {
+    throw InputError(table.source, {schema::notRising("row " + std::to_string(wrong.front() + 1),
+                                                      schema::kRisingTimes)});
   }
   for (int i = 0; i < rotors; ++i) {
     const auto values =

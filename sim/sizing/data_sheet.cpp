@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/rising.h"
 #include "sim/run/drive_build.h"
 #include "sim/sizing/drive_point.h"
 
@@ -109,7 +110,9 @@ void Describe<StaticTable>::fields(schema::Builder<StaticTable>& b) {
   b.number("diameter", &P::diameter, "Diameter", "D", "m")
       .range(schema::above(0), schema::upTo(20))
       .shownIn("in");
-  b.list("rows", &P::rows, "Table").items(1, 1000).table();
+  schema::risingList(b, "rows", &P::rows, "Table", &StaticTableRow::speed, {"speed", "speeds"})
+      .items(1, 1000)
+      .table();
   b.number("measuredDensity", &P::measuredDensity, "Measured at density", "\u03c1\u2080", "kg/m^3")
       .range(schema::above(0), schema::upTo(100))
       .help("Air density during the measurement.")
@@ -117,15 +120,6 @@ void Describe<StaticTable>::fields(schema::Builder<StaticTable>& b) {
   b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
       .range(schema::above(0), schema::upTo(10))
       .source("International standard atmosphere at sea level");
-  b.check([](const P& p, std::vector<Problem>& problems) {
-    for (std::size_t k = 1; k < p.rows.size(); ++k) {
-      if (p.rows[k].speed > p.rows[k - 1].speed) continue;
-      problems.push_back({"rows[" + std::to_string(k) + "].speed",
-                          "this speed is not above the one before it",
-                          "speeds must rise from row to row"});
-      return;
-    }
-  });
 }
 
 void Describe<GivenInertia>::fields(schema::Builder<GivenInertia>& b) {

@@ -4,6 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "sim/numerics/scalar_search.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/sizing/figure.h"
 
 namespace rotorbench {
@@ -60,8 +62,8 @@ class Discharger {
 }  // namespace
 
 double voltageUnder(double power, double inner, double resistance) {
-  const double root = inner * inner - 4 * resistance * power;
-  return root < 0 ? std::numeric_limits<double>::quiet_NaN() : 0.5 * (inner + std::sqrt(root));
+  if (busReserve(inner, power, resistance) < 0) return std::numeric_limits<double>::quiet_NaN();
+  return busVoltage(inner, power, resistance);
 }
 
 Discharge discharge(const Supply& supply, const ConstantLoad& load) {
@@ -71,24 +73,21 @@ Discharge discharge(const Supply& supply, const ConstantLoad& load) {
   if (!(supply.inverseCapacity > 0) || !(load.power > 0)) {
     return {std::numeric_limits<double>::infinity(), cells.charge, DischargeEnd::Never};
   }
-  double step = supply.openCircuit(supply.charge) / (load.power * supply.inverseCapacity) / kSteps;
+  const double step =
+      supply.openCircuit(supply.charge) / (load.power * supply.inverseCapacity) / kSteps;
   double time = 0;
   while (!run.end(run.after(cells, step))) {
     cells = run.after(cells, step);
     time += step;
   }
   DischargeEnd end = run.end(run.after(cells, step)).value_or(DischargeEnd::Reserve);
-  for (int k = 0; k < 40; ++k) {
-    step /= 2;
-    const Cells next = run.after(cells, step);
-    if (const auto found = run.end(next)) {
-      end = *found;
-    } else {
-      cells = next;
-      time += step;
-    }
-  }
-  return {time, cells.charge, end};
+  const auto goesOn = [&](double dt) {
+    const auto found = run.end(run.after(cells, dt));
+    if (found) end = *found;
+    return !found;
+  };
+  const double rest = findLast(goesOn, 0, step);
+  return {time + rest, run.after(cells, rest).charge, end};
 }
 
 Sentence reasonOf(DischargeEnd end, const Supply& supply, const ConstantLoad& load) {

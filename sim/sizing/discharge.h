@@ -1,6 +1,6 @@
 // How long a supply carries a constant power: the discharge is integrated with open-circuit
 // voltage, sag and polarisation (battery.h) until something ends it. SI units.
-//   i = P/V,  V = (E + sqrt(E^2 - 4 R_0 P))/2,  E = OCV(z) - v_rc
+//   i = P/V, V the bus of bus.h
 #pragma once
 
 #include "sim/core/sentence.h"

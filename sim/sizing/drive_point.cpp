@@ -1,9 +1,8 @@
 #include "sim/sizing/drive_point.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
 
 namespace rotorbench {
 
@@ -47,7 +46,7 @@ std::optional<DrivePoint> pointWithThrust(const DriveTrain& train, double thrust
   };
   const double most = surplus(1);
   if (!(most >= 0)) return std::nullopt;
-  return drivePoint(train, bracketedRoot(surplus, 0, -thrust, 1, most, kThrottleTolerance));
+  return drivePoint(train, findRoot(surplus, 0, -thrust, 1, most, kThrottleTolerance));
 }
 
 BestEfficiency bestEfficiency(const MotorConstants& motor, double voltage) {
@@ -56,15 +55,10 @@ BestEfficiency bestEfficiency(const MotorConstants& motor, double voltage) {
     const double shaft = (motor.torqueConstant * current - motor.friction(w)) * w;
     return shaft / (voltage * current);
   };
-  // Efficiency has one maximum between no current and stall: golden sections.
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  double low = 0, high = voltage / motor.resistance;
-  for (int k = 0; k < 120; ++k) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    (efficiency(a) < efficiency(b) ? low : high) = efficiency(a) < efficiency(b) ? a : b;
-  }
-  const double best = 0.5 * (low + high);
-  return {best, std::max(0.0, efficiency(best))};
+  // It has one maximum between no current and stall.
+  const double stall = voltage / motor.resistance;
+  const Extremum best = findMaximum(efficiency, 0, stall, 1e-7 * stall);
+  return {best.at, std::max(0.0, best.value)};
 }
 
 }  // namespace rotorbench

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "sim/numerics/scalar_search.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/sizing/discharge.h"
 
 namespace rotorbench {
@@ -12,6 +14,7 @@ namespace {
 
 constexpr double kSpeedStep = 0.5;  // m/s
 constexpr double kSpeedTolerance = 1e-7;
+constexpr double kRangeTolerance = 1e-6;  // m/s, of the speed of longest range
 
 double advanceRatio(const SteadyFlight& flight, const Trim& trim) {
   double most = 0;
@@ -25,19 +28,13 @@ double powerPerSpeed(const SteadyFlight& flight, const Trim& trim) {
   return flight.demand(trim).power / trim.speed;
 }
 
-/// Least power per speed between two speeds, by golden sections from a trim in between.
+/// Least power per speed between two speeds, from a trim in between.
 Trim farthestBetween(const SteadyFlight& flight, const Trim& best, double low, double high) {
-  const double golden = 0.5 * (std::sqrt(5.0) - 1);
-  Trim found = best;
-  for (int k = 0; k < 24; ++k) {
-    const double a = high - golden * (high - low), b = low + golden * (high - low);
-    const auto atA = flight.trim(a, best), atB = flight.trim(b, best);
-    if (!atA || !atB) return found;
-    const bool left = powerPerSpeed(flight, *atA) < powerPerSpeed(flight, *atB);
-    (left ? high : low) = left ? b : a;
-    found = left ? *atA : *atB;
-  }
-  return found;
+  const auto cost = [&](double speed) {
+    const auto trim = flight.trim(speed, best);
+    return trim ? powerPerSpeed(flight, *trim) : HUGE_VAL;
+  };
+  return flight.trim(findMinimum(cost, low, high, kRangeTolerance).at, best).value_or(best);
 }
 
 }  // namespace
@@ -49,7 +46,8 @@ Margin marginOf(const SteadyFlight& flight, const Trim& trim, double throttleLim
   const double inner = supply.openCircuit(supply.charge);
   const double bus = voltageUnder(demand.power, inner, supply.resistance);
   if (std::isnan(bus)) {
-    return {1 - 4 * supply.resistance * demand.power / (inner * inner), FlightLimit::Supply};
+    const double reserve = busReserve(inner, demand.power, supply.resistance);
+    return {reserve / (inner * inner), FlightLimit::Supply};
   }
   Margin least{throttleLimit - demand.voltage.maxCoeff() / bus, FlightLimit::Throttle};
   const auto consider = [&least](double value, FlightLimit limit) {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "sim/environment/standard_atmosphere.h"
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/performance.h"
@@ -177,7 +177,7 @@ void addPayload(FigureSheet& sheet, const Flown& f) {
   double high = 2 * own;
   while (margin(high) > 0 && high < 1e3 * own) high *= 2;
   const double top = margin(high);
-  const double most = top >= 0 ? high : bracketedRoot(margin, own, now, high, top, 1e-9 * own);
+  const double most = top >= 0 ? high : findRoot(margin, own, now, high, top, 1e-9 * own);
   margin(most * (1 + 1e-6));
   g.add("most", "Largest payload", "m_p", most - own, "kg", "g", formula).note =
       limitSentence(limit, f, throttle);
@@ -240,7 +240,7 @@ void addCeiling(FigureSheet& sheet, const Flown& f) {
         "at least this; the search ends at the tropopause";
     return;
   }
-  const double density = bracketedRoot(margin, least, thin, sea, here, 1e-9);
+  const double density = findRoot(margin, least, thin, sea, here, 1e-9);
   margin(density * (1 - 1e-6));
   g.add("hover", "Hover ceiling", "h_max", standardAltitude(density), "m", "m", formula).note =
       limitSentence(limit, f, f.settings.speedThrottle);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
 
 namespace rotorbench {
 
@@ -128,7 +128,7 @@ FullThrottle SteadyFlight::fullThrottle() const {
   };
   const double least = 1e-6 * inner, top = surplus(inner);
   if (!(top < 0)) return under(inner);
-  return under(bracketedRoot(surplus, least, surplus(least), inner, top, 1e-10 * inner));
+  return under(findRoot(surplus, least, surplus(least), inner, top, 1e-10 * inner));
 }
 
 }  // namespace rotorbench

@@ -1,99 +1,95 @@
 #include "sim/validation/drive_fit.h"
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <unsupported/Eigen/NumericalDiff>
+
+#include "sim/core/error.h"
+#include "sim/fitting/least_squares.h"
+#include "sim/propulsion/drive/steady_motor.h"
 
 namespace rotorbench::validation {
 
 namespace {
 
-using Member = double DriveConstants::*;
+struct FittedConstant {
+  double DriveConstants::*member;
+  const char* key;
+};
 
-std::vector<Member> fittedMembers(const DriveFitChoice& choice) {
+std::vector<FittedConstant> fittedConstants(const DriveFitChoice& choice) {
   using C = DriveConstants;
-  std::vector<Member> members{&C::torqueConstant, &C::resistance, &C::noLoadCurrent,
-                              &C::loadCurrent};
-  if (choice.viscous) members.push_back(&C::viscousCurrent);
-  if (choice.standby) members.push_back(&C::standbyCurrent);
+  std::vector<FittedConstant> fitted{{&C::torqueConstant, "torqueConstant"},
+                                     {&C::resistance, "resistance"},
+                                     {&C::noLoadCurrent, "noLoadCurrent"},
+                                     {&C::loadCurrent, "loadCurrent"}};
+  if (choice.viscous) fitted.push_back({&C::viscousCurrent, "viscousCurrent"});
+  if (choice.standby) fitted.push_back({&C::standbyCurrent, "standbyCurrent"});
   if (choice.throttleCurve) {
-    members.push_back(&C::dutyGain);
-    members.push_back(&C::dutyOffset);
+    fitted.push_back({&C::dutyGain, "dutyGain"});
+    fitted.push_back({&C::dutyOffset, "dutyOffset"});
   }
-  return members;
+  return fitted;
 }
 
-/// Residuals over constants in units of their guesses, so that all unknowns are of order 1.
-struct Residuals {
-  using Scalar = double;
-  using InputType = Eigen::VectorXd;
-  using ValueType = Eigen::VectorXd;
-  using JacobianType = Eigen::MatrixXd;
-  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-
-  const std::vector<LoggedPoint>& points;
-  std::vector<Member> members;
-  DriveConstants base;
-  std::vector<double> scales;
-  double speedFloor, currentFloor;
-
-  [[nodiscard]] int inputs() const { return static_cast<int>(members.size()); }
-  [[nodiscard]] int values() const { return 2 * static_cast<int>(points.size()); }
-  [[nodiscard]] DriveConstants constantsAt(const Eigen::VectorXd& x) const {
-    DriveConstants c = base;
-    for (std::size_t i = 0; i < members.size(); ++i) {
-      c.*members[i] = x[static_cast<Eigen::Index>(i)] * scales[i];
-    }
-    return c;
-  }
-  int operator()(const Eigen::VectorXd& x, Eigen::VectorXd& r) const {
-    const DriveConstants c = constantsAt(x);
-    Eigen::Index row = 0;
-    for (const LoggedPoint& p : points) {
-      const DrivePrediction model = predicted(c, p.duty, p.voltage);
-      r[row++] = (model.speed - p.speed) / (p.speed + speedFloor);
-      r[row++] = (model.current - p.current) / (p.current + currentFloor);
-    }
-    return 0;
-  }
-};
+/// What a residual is a part of: the measured value, or `floor` where there is little of it.
+double shareOf(double value, double measured, double floor) {
+  return value / (measured + floor);
+}
 
 }  // namespace
 
 DrivePrediction predicted(const DriveConstants& c, double duty, double voltage) {
   const double d = std::clamp(c.dutyGain * duty + c.dutyOffset, 0.0, 1.0);
-  // R (kq/K) w^2 + (K + R f/K) w + R I0 - d V = 0
-  const double square = c.resistance * c.loadCurrent;
-  const double linear = c.torqueConstant + c.resistance * c.viscousCurrent;
-  const double constant = c.resistance * c.noLoadCurrent - d * voltage;
-  const double root = std::sqrt(std::max(0.0, linear * linear - 4 * square * constant));
-  const double w = std::max(0.0, -2 * constant / (linear + root));
-  const double i = c.noLoadCurrent + (c.viscousCurrent + c.loadCurrent * w) * w;
-  return {w, d * i + c.standbyCurrent};
+  const SteadyCurrent current{c.noLoadCurrent, c.viscousCurrent, c.loadCurrent};
+  const double w = std::max(0.0, steadySpeed(current, c.torqueConstant, c.resistance, d * voltage));
+  return {w, d * current.at(w) + c.standbyCurrent};
 }
 
 DriveConstants fitDrive(const std::vector<LoggedPoint>& points, const DriveFitChoice& choice,
                         const DriveConstants& guess, double floor) {
+  enum Output : std::size_t { kSpeed, kCurrent };
   double speed = 0, current = 0;
   for (const LoggedPoint& p : points) {
     speed = std::max(speed, p.speed);
     current = std::max(current, p.current);
   }
-  Residuals residuals{points, fittedMembers(choice), guess, {}, floor * speed, floor * current};
-  Eigen::VectorXd x(residuals.inputs());
-  for (std::size_t i = 0; i < residuals.members.size(); ++i) {
-    const double start = guess.*residuals.members[i];
-    residuals.scales.push_back(start != 0 ? std::abs(start) : 0.1);
-    x[static_cast<Eigen::Index>(i)] = start / residuals.scales.back();
+  speed *= floor, current *= floor;
+
+  FitProblem problem;
+  const std::vector<FittedConstant> fitted = fittedConstants(choice);
+  for (const FittedConstant& constant : fitted) {
+    FitParameter& p = problem.parameters.emplace_back();
+    p.key = constant.key;
+    p.start = guess.*constant.member;
+    p.scale = p.start != 0 ? std::abs(p.start) : 0.1;
   }
-  Eigen::NumericalDiff<Residuals> slopes(residuals, 1e-12);
-  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(slopes);
-  solver.parameters.maxfev = 4000;
-  solver.minimize(x);
-  return residuals.constantsAt(x);
+  problem.outputs.resize(2);  // shares, 1 each
+  for (const LoggedPoint& p : points) {
+    problem.points.push_back({kSpeed, p.duty, shareOf(p.speed, p.speed, speed)});
+    problem.points.push_back({kCurrent, p.duty, shareOf(p.current, p.current, current)});
+  }
+  const auto constantsAt = [&](const auto& valueAt) {
+    DriveConstants c = guess;
+    for (std::size_t i = 0; i < fitted.size(); ++i) c.*fitted[i].member = valueAt(i);
+    return c;
+  };
+  problem.predict = [&](std::span<const double> values, std::span<double> shares) {
+    const DriveConstants c = constantsAt([&](std::size_t i) { return values[i]; });
+    auto share = shares.begin();
+    for (const LoggedPoint& p : points) {
+      const DrivePrediction model = predicted(c, p.duty, p.voltage);
+      *share++ = shareOf(model.speed, p.speed, speed);
+      *share++ = shareOf(model.current, p.current, current);
+    }
+    return std::ranges::all_of(shares, [](double x) { return std::isfinite(x); });
+  };
+
+  FitOptions options;
+  options.weighByScatter = false;
+  options.mostIterations = 400;
+  const FitResult result = solveLeastSquares(problem, options);
+  if (!result.usable()) refuse("points of a drive", result.sentence);
+  return constantsAt([&](std::size_t i) { return result.parameters[i].value; });
 }
 
 }  // namespace rotorbench::validation

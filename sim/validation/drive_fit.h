@@ -48,8 +48,8 @@ struct DrivePrediction {
 DrivePrediction predicted(const DriveConstants& constants, double duty, double voltage);
 
 /// Least squares of speed and current, each over its measured value with `floor` of the greatest
-/// one added, by Levenberg and Marquardt. At least as many points as constants; `guess` for the
-/// start.
+/// one added (solveLeastSquares()). `guess` for the start. Throws InputError where there are fewer
+/// numbers measured than constants, or the fit finds no end.
 DriveConstants fitDrive(const std::vector<LoggedPoint>& points, const DriveFitChoice& choice,
                         const DriveConstants& guess, double floor = 0.02);
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "sim/core/constants.h"
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 #include "sim/validation/statistics.h"
 
@@ -38,7 +38,7 @@ std::optional<double> zeroThrustAdvance(const std::vector<PropellerPoint>& run) 
 double zeroThrustAdvance(const BladeElementRotor& rotor, double speed) {
   constexpr double kMost = 3;  // no propeller here has a pitch of three diameters
   const auto thrust = [&](double advance) { return coefficients(rotor, speed, advance).thrust; };
-  return bracketedRoot(thrust, 0, thrust(0), kMost, thrust(kMost), 1e-6);
+  return findRoot(thrust, 0, kMost, 1e-6);
 }
 
 double peakEfficiency(const std::vector<PropellerPoint>& run) {
@@ -111,21 +111,7 @@ double fittedTwistOffset(const PropellerSet& set) {
     const double e = error(offset);
     if (e < least) least = e, best = offset;
   }
-  // Golden section.
-  constexpr double kGolden = 0.6180339887498949;
-  double a = best - kCoarse, b = best + kCoarse;
-  double p = b - kGolden * (b - a), q = a + kGolden * (b - a);
-  double atP = error(p), atQ = error(q);
-  while (b - a > 0.02 * kDegree) {
-    if (atP < atQ) {
-      b = q, q = p, atQ = atP;
-      p = b - kGolden * (b - a), atP = error(p);
-    } else {
-      a = p, p = q, atP = atQ;
-      q = a + kGolden * (b - a), atQ = error(q);
-    }
-  }
-  return (a + b) / 2;
+  return findMinimum(error, best - kCoarse, best + kCoarse, 0.01 * kDegree).at;
 }
 
 }  // namespace rotorbench::validation

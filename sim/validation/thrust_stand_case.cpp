@@ -7,7 +7,7 @@
 #include "sim/document/experiment_file.h"
 #include "sim/document/thrust_stand.h"
 #include "sim/io/csv.h"
-#include "sim/numerics/bracketed_root.h"
+#include "sim/numerics/scalar_search.h"
 #include "sim/run/drive_build.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/text.h"
@@ -52,7 +52,7 @@ class Stand {
     const auto excess = [&](double d) { return answer(train, d).speed - speed; };
     const double low = excess(0), high = excess(1);
     if (!(high > 0)) return answer(train, 1);
-    return answer(train, bracketedRoot(excess, 0, low, 1, high, 1e-9));
+    return answer(train, findRoot(excess, 0, low, 1, high, 1e-9));
   }
 
  private:

@@ -22,6 +22,7 @@
 
 #include "sim/environment/environment.h"
 #include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/propulsion/drive/esc.h"
 #include "sim/propulsion/drive/motor.h"
 #include "sim/propulsion/rotor/rotor.h"

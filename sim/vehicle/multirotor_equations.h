@@ -78,19 +78,14 @@ template <class S>
 [[gnu::noinline]] void Multirotor<N, Drive>::limitVoltages(const LanesOf<S>& current,
                                                            const LanesOf<S>& back, const S& inner,
                                                            Electrical<S>& at) const {
-  using std::max;
-  using std::sqrt;
   using Lanes = LanesOf<S>;
   for (int i = 0; i < N; ++i) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
     at.voltage[i] =
         hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
-  // The converters keep the power, and the bus follows from the one that is drawn: b (inner -
-  // b)/R_0 = P, the upper root being the stable one.
-  const S power = Lanes((at.voltage + constants_.lanes.escResistance * current) * current).sum();
-  const S root = inner * inner - 4.0 * constants_.supply.resistance * power;
-  at.bus = 0.5 * (inner + sqrt(max(root, S(0.0))));
+  const S power = converterPower<Lanes>(at.voltage, constants_.lanes.escResistance, current).sum();
+  at.bus = busVoltage<S>(inner, power, constants_.supply.resistance);
   at.supplyCurrent = power / at.bus;
 }
 

@@ -319,12 +319,8 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(const 
     current[i] = hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
     voltage[i] = hub.drive().steadyVoltage(speeds[i], current[i]);
   }
-  // Bus voltage b: b = V - R_s sum(d i) with d = v/b, so b^2 - V b + R_s P = 0; the upper root is
-  // the stable one.
-  const double open = constants_.openCircuit, power = voltage.dot(current);
-  const double root = open * open - 4 * constants_.supply.resistance * power;
-  const double bus = 0.5 * (open + std::sqrt(std::max(0.0, root)));
-  return voltage / bus;
+  const double power = voltage.dot(current);
+  return voltage / busVoltage(constants_.openCircuit, power, constants_.supply.resistance);
 }
 
 template <int N, RotorDrive Drive>

@@ -3,39 +3,26 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/axis_marks.h"
+#include "sim/core/unit_text.h"
+
 namespace rotorbench {
 namespace {
 
 /// Within this many decades plain numbers read better than a common power of ten.
 constexpr int kPlainExponent = 4;
-constexpr double kRounding = 1e-9;  // of a tick step
-
-double niceStep(double width, int most) {
-  const double rough = width / std::max(1, most);
-  const double power = std::pow(10.0, std::floor(std::log10(rough)));
-  for (const double digit : {1.0, 2.0, 5.0}) {
-    if (digit * power >= rough * (1 - kRounding)) return digit * power;
-  }
-  return 10 * power;
-}
-
-int decimalsOf(double step) {
-  return std::max(0, -static_cast<int>(std::floor(std::log10(step) + kRounding)));
-}
+constexpr double kRounding = 1e-9;  // of a decade
 
 Ticks linearTicks(const AxisScale& scale, int most, const QLocale& locale) {
   Ticks ticks;
-  const double step = niceStep(scale.span.width(), most);
+  const double step = markStep(scale.span.width(), most);
   const double largest = std::max(std::abs(scale.span.low), std::abs(scale.span.high));
   const int magnitude = static_cast<int>(std::floor(std::log10(largest)));
   if (magnitude > kPlainExponent || magnitude < -kPlainExponent + 1) ticks.exponent = magnitude;
   const double unit = std::pow(10.0, ticks.exponent);
-  const int decimals = std::min(12, decimalsOf(step / unit));
-  const double first = std::ceil(scale.span.low / step - kRounding);
-  const double last = std::floor(scale.span.high / step + kRounding);
-  for (double i = first; i <= last; i += 1) {
-    const double value = i * step;
-    QString label = locale.toString(i == 0 ? 0.0 : value / unit, 'f', decimals);
+  const int decimals = std::min(12, markDecimals(step / unit));
+  for (const double value : marksWithin(scale.span.low, scale.span.high, step)) {
+    QString label = locale.toString(value / unit, 'f', decimals);
     ticks.major.push_back({value, label.replace(u'-', QChar(u'−'))});
   }
   return ticks;
@@ -100,9 +87,8 @@ Span niceSpan(Span data, bool log, int ticks) {
     const double margin = data.high == 0 ? 1 : 0.1 * std::abs(data.high);
     data = {data.low - margin, data.high + margin};
   }
-  const double step = niceStep(data.width(), ticks);
-  return {std::floor(data.low / step + kRounding) * step,
-          std::ceil(data.high / step - kRounding) * step};
+  const auto [low, high] = marksBeyond(data.low, data.high, markStep(data.width(), ticks));
+  return {low, high};
 }
 
 double roomyEnd(double low, double high) {
@@ -135,26 +121,11 @@ bool isUsable(Span span, bool log) {
 }
 
 QString powerOfTen(int exponent) {
-  static const QString kDigits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-  QString text = QStringLiteral("10");
-  if (exponent < 0) text += QChar(u'⁻');
-  for (const QChar digit : QString::number(std::abs(exponent))) text += kDigits[digit.digitValue()];
-  return text;
-}
-
-QString prettyUnit(const std::string& unit) {
-  if (unit.empty() || unit == "1") return {};
-  QString text = QString::fromStdString(unit);
-  text.replace(QLatin1String("^2"), QStringLiteral("²"));
-  text.replace(QLatin1String("^3"), QStringLiteral("³"));
-  text.replace(QLatin1String("^-1"), QStringLiteral("⁻¹"));
-  text.replace(QLatin1String("Ohm"), QStringLiteral("Ω"));
-  text.replace(u'*', u'·');
-  return text;
+  return QStringLiteral("10") + QString::fromStdString(superscript(exponent));
 }
 
 QString axisTitle(const QString& quantity, const std::string& unit, int exponent) {
-  QString bracket = prettyUnit(unit);
+  QString bracket = QString::fromStdString(prettyUnit(unit));
   if (exponent != 0) bracket = (powerOfTen(exponent) + QChar(u' ') + bracket).trimmed();
   if (bracket.isEmpty()) return quantity;
   return (quantity + QStringLiteral(" [%1]").arg(bracket)).trimmed();

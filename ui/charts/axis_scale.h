@@ -58,8 +58,6 @@ bool isUsable(Span span, bool log);
 
 /// "10⁻⁹"
 QString powerOfTen(int exponent);
-/// "rad/s", "kg·m²", empty for plain numbers.
-QString prettyUnit(const std::string& unit);
 /// "thrust [N]", "error [10⁻⁹ m]", "duty".
 QString axisTitle(const QString& quantity, const std::string& unit, int exponent);
 

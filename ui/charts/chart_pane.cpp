@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "sim/core/unit_text.h"
 #include "ui/charts/channel_mime.h"
 #include "ui/charts/channel_pattern.h"
 #include "ui/charts/chart_legend.h"
@@ -94,7 +95,7 @@ void ChartPane::takeCurves() {
   plot_->relayout();
   std::vector<LegendEntry> entries;
   for (const auto& curve : curves_.curves) {
-    const QString unit = prettyUnit(curve.y().unit);
+    const QString unit = QString::fromStdString(prettyUnit(curve.y().unit));
     QString tip = QString::fromStdString(curve.y().description);
     if (!unit.isEmpty()) tip += QStringLiteral(" [%1]").arg(unit);
     entries.push_back({curve.label, curve.shortLabel, tip.trimmed(), curve.style, curve.hidden,

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "ui/charts/axis_scale.h"
+#include "sim/core/unit_text.h"
 
 namespace rotorbench {
 
@@ -10,7 +10,7 @@ QString readoutText(double value, const std::string& unit, const QLocale& locale
   if (!std::isfinite(value)) return QStringLiteral("–");
   QString text = locale.toString(value, 'g', 5);
   text.replace(u'-', QChar(u'−'));
-  return (text + u' ' + prettyUnit(unit)).trimmed();
+  return (text + u' ' + QString::fromStdString(prettyUnit(unit))).trimmed();
 }
 
 Readouts makeReadouts(const std::vector<Curve>& curves, const ChartLink& link,

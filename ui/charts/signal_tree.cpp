@@ -11,7 +11,7 @@
 #include <functional>
 #include <set>
 
-#include "ui/charts/axis_scale.h"
+#include "sim/core/unit_text.h"
 #include "ui/charts/channel_mime.h"
 #include "ui/charts/run_set.h"
 
@@ -162,7 +162,7 @@ void SignalTree::takeChannels() {
   for (const auto& channel : channels) keep.insert(QString::fromStdString(channel.name));
   for (const auto& channel : channels) {
     QStandardItem* item = group(QString::fromStdString(channel.name));
-    const QString unit = prettyUnit(channel.unit);
+    const QString unit = QString::fromStdString(prettyUnit(channel.unit));
     auto* parent = item->parent() ? item->parent() : model_->invisibleRootItem();
     parent->child(item->row(), 1)->setText(unit);
     const QString tip = QString::fromStdString(channel.description);

@@ -5,6 +5,7 @@
 
 #include "sim/core/number_text.h"
 #include "sim/core/schema_tree.h"
+#include "sim/core/unit_text.h"
 #include "sim/core/units.h"
 #include "ui/forms/document_model.h"
 
@@ -49,18 +50,7 @@ QString numberInUnit(double si, const QString& unit, const QLocale& locale) {
 }
 
 QString prettyUnit(const QString& symbol) {
-  if (symbol == QLatin1String("1")) return {};
-  QString pretty = symbol;
-  pretty.replace(QLatin1String("Ohm"), QStringLiteral("Ω"));
-  pretty.replace(QLatin1String("^2"), QStringLiteral("²"));
-  pretty.replace(QLatin1String("^3"), QStringLiteral("³"));
-  pretty.replace(QLatin1Char('*'), QStringLiteral("·"));
-  if (pretty.startsWith(QLatin1String("deg"))) pretty.replace(0, 3, QStringLiteral("°"));
-  if (pretty.endsWith(QLatin1String("/deg"))) {
-    pretty.replace(pretty.size() - 3, 3, QStringLiteral("°"));
-  }
-  if (pretty.size() > 1 && pretty[0] == QLatin1Char('u')) pretty[0] = QChar(0x00B5);
-  return pretty;
+  return toQString(prettyUnit(std::string_view(symbol.toStdString())));
 }
 
 QString withUnit(const QString& number, const QString& unit) {

@@ -18,7 +18,7 @@ QString toQString(std::string_view text);
 /// An SI number in `unit` with the fewest digits that read back as the same number; no unit, no
 /// grouping.
 QString numberInUnit(double si, const QString& unit, const QLocale& locale);
-/// "kg·m²" for "kg*m^2", "Ω" for "Ohm"; empty for plain numbers.
+/// prettyUnit() of sim/core/unit_text.h.
 QString prettyUnit(const QString& symbol);
 /// "0.12 Ω"; the number alone where there is no unit.
 QString withUnit(const QString& number, const QString& unit);

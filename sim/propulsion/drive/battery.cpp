@@ -4,6 +4,9 @@
 #include <limits>
 #include <string>
 
+#include "sim/core/rising.h"
+#include "sim/propulsion/drive/bus.h"
+
 namespace rotorbench {
 
 namespace {
@@ -66,9 +69,8 @@ double Supply::secondsAt(double power, double stateOfCharge) const {
   double time = 0;
   for (int i = 0; i < kParts; ++i) {
     const double open = openCircuit(stateOfCharge - (i + 0.5) * part);
-    const double root = open * open - 4 * inner * power;
-    if (root < 0) break;  // more than the pack can give
-    const double voltage = 0.5 * (open + std::sqrt(root));
+    if (busReserve(open, power, inner) < 0) break;
+    const double voltage = busVoltage(open, power, inner);
     if (voltage < cutOff) break;
     time += part / inverseCapacity * voltage / power;
   }
@@ -118,20 +120,18 @@ void Describe<BatteryParameters>::fields(schema::Builder<BatteryParameters>& b) 
   b.number("charge", &P::charge, "Charge at the start", "z", "1")
       .range(above(0), upTo(1))
       .shownIn("%");
-  b.list("openCircuit", &P::openCircuit, "Open-circuit voltage")
+  risingList(b, "openCircuit", &P::openCircuit, "Open-circuit voltage", &CellVoltage::charge,
+             {"charge", "charges"},
+             "Voltage of one cell without load; straight lines between the points.")
       .items(2, 1000)
       .table()
-      .help("Voltage of one cell without load; straight lines between the points.")
       .source(kChen)
       .advanced();
   b.check([](const P& p, std::vector<Problem>& problems) {
     for (std::size_t i = 1; i < p.openCircuit.size(); ++i) {
-      const std::string at = "openCircuit[" + std::to_string(i) + "]";
-      if (p.openCircuit[i].charge <= p.openCircuit[i - 1].charge)
-        problems.push_back({at + ".charge", "is not above the row before",
-                            "the charge must rise from row to row"});
       if (p.openCircuit[i].voltage < p.openCircuit[i - 1].voltage)
-        problems.push_back({at + ".voltage", "is below the row before",
+        problems.push_back({"openCircuit[" + std::to_string(i) + "].voltage",
+                            "is below the row before",
                             "the voltage must not fall with the charge"});
     }
   });

@@ -4,6 +4,8 @@
 #include <array>
 #include <limits>
 
+#include "sim/numerics/scalar_search.h"
+
 namespace rotorbench {
 
 namespace {
@@ -11,15 +13,9 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The w where a falling function passes zero, between 0 and `high`.
-template <class Function>
-double fallingRoot(Function&& f, double high) {
-  double low = 0;
-  if (!(f(low) > 0)) return 0;
-  for (int i = 0; i < 200 && high - low > 1e-13 * high; ++i) {
-    const double middle = 0.5 * (low + high);
-    (f(middle) > 0 ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+double fallingRoot(const ScalarFunction& f, double high) {
+  const double atRest = f(0);
+  return atRest > 0 ? findRoot(f, 0, atRest, high, f(high), 1e-13 * high) : 0;
 }
 
 }  // namespace
@@ -101,11 +97,9 @@ DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
   y[kPolarisation] = polarisation;
   const double sign = y[kDuty] < 0 ? -1 : 1;
   const double inner = supply_.openCircuit(charge) - polarisation;
-  const double resistance =
-      motor_.resistance + esc_.resistance + y[kDuty] * y[kDuty] * supply_.resistance;
+  const double duty = y[kDuty];
   const auto current = [&](double w) {
-    const double i = (std::abs(y[kDuty]) * inner - motor_.torqueConstant * w) / resistance;
-    return std::min(i, esc_.maxCurrent);
+    return sign * quasiStaticCurrent(duty, inner, sign * motor_.torqueConstant * w);
   };
   const double free = std::abs(y[kDuty]) * inner / motor_.torqueConstant;
   if (!(free > 0)) return y;

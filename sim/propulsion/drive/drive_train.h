@@ -1,7 +1,6 @@
 // One motor on a stand: supply -> speed controller -> motor -> load, coupled as they are in a
 // vehicle. SI units; speed positive in the rotor's own sense.
-//   bus       V = OCV(z) - v_rc - R_0 i_bus,   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus -
-//             v_rc)/tau_1
+//   bus       see bus.h;   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus - v_rc)/tau_1
 //   converter see esc.h
 //   motor     L di/dt = v - R i - K w,   J dw/dt = K i - friction(w) - load(w)        thesis 2014,
 //             figure 3.11
@@ -16,6 +15,7 @@
 
 #include "sim/core/scalar.h"
 #include "sim/propulsion/drive/battery.h"
+#include "sim/propulsion/drive/bus.h"
 #include "sim/propulsion/drive/esc.h"
 #include "sim/propulsion/drive/motor.h"
 
@@ -116,8 +116,6 @@ class DriveTrain {
 
   template <class S>
   [[nodiscard]] DriveInstant<S> instant(const StateOf<S>& y) const {
-    using std::max;
-    using std::sqrt;
     DriveInstant<S> at;
     const S w = y[kSpeed];
     const S back = S(motor_.torqueConstant * w);
@@ -125,9 +123,7 @@ class DriveTrain {
     at.openCircuit = supply_.openCircuit(S(y[kCharge]));
     const S inner = S(at.openCircuit - y[kPolarisation]);
     if (quasiStatic_) {
-      const S sag = S(at.duty * at.duty * supply_.resistance);
-      const S free = S((at.duty * inner - back) / (motor_.resistance + esc_.resistance + sag));
-      at.current = esc_.quasiStaticCurrent(motor_, at.duty, free, back);
+      at.current = quasiStaticCurrent(at.duty, inner, back);
       at.motorVoltage = S(motor_.resistance * at.current + back);
     } else {
       at.current = y[kCurrent];
@@ -135,10 +131,8 @@ class DriveTrain {
                        esc_.resistance * at.current);
       at.motorVoltage = esc_.voltage(motor_, at.duty, at.current, free, back);
     }
-    // The converter keeps the power; the bus voltage follows from the one that is drawn.
-    const S power = S((at.motorVoltage + esc_.resistance * at.current) * at.current);
-    const S root = S(inner * inner - 4.0 * supply_.resistance * power);
-    at.busVoltage = S(0.5 * (inner + sqrt(max(root, S(0)))));
+    const S power = converterPower(at.motorVoltage, esc_.resistance, at.current);
+    at.busVoltage = busVoltage(inner, power, supply_.resistance);
     at.busCurrent = S(power / at.busVoltage);
     return at;
   }
@@ -178,6 +172,14 @@ class DriveTrain {
   [[nodiscard]] double maxCurrent() const { return esc_.maxCurrent; }
 
  private:
+  /// The current of a winding without inductance, the sag of the supply in it, at a back-EMF.
+  template <class S>
+  [[nodiscard]] S quasiStaticCurrent(const S& duty, const S& inner, const S& back) const {
+    const S sag = S(duty * duty * supply_.resistance);
+    const S free = S((duty * inner - back) / (motor_.resistance + esc_.resistance + sag));
+    return esc_.quasiStaticCurrent(motor_, duty, free, back);
+  }
+
   Supply supply_;
   MotorConstants motor_;
   ShaftLoad load_;

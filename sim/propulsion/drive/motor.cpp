@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <complex>
 
+#include "sim/numerics/scalar_search.h"
+
 namespace rotorbench {
 
 MotorConstants buildMotor(const MotorParameters& p) {
@@ -27,13 +29,8 @@ double topSpeed(const MotorConstants& motor, double torqueFactor, double voltage
     const double current = motor.steadyCurrent(w, torqueFactor * w * w);
     return current <= motor.maxCurrent && motor.steadyVoltage(w, current) <= voltage;
   };
-  // Demand grows with speed, and no motor turns faster than without load: halve that interval.
-  double low = 0, high = voltage / motor.torqueConstant;
-  for (int k = 0; k < 60; ++k) {
-    const double middle = 0.5 * (low + high);
-    (holds(middle) ? low : high) = middle;
-  }
-  return low;
+  // Demand grows with speed, and no motor turns faster than without load.
+  return findLast(holds, 0, voltage / motor.torqueConstant);
 }
 
 double fastestPole(const MotorConstants& motor, double resistance, double drag, double inertia) {

@@ -1,6 +1,7 @@
 #include "sim/propulsion/rotor/blade.h"
 
 #include "sim/core/constants.h"
+#include "sim/core/rising.h"
 
 namespace rotorbench {
 
@@ -18,19 +19,6 @@ BladeShape interpolated(const std::vector<BladeStation>& s, double radius) {
     return {a.chord + t * (b.chord - a.chord), a.twist + t * (b.twist - a.twist)};
   }
   return {s.back().chord, s.back().twist};
-}
-
-/// Radii must rise from one row of a list to the next.
-template <class Row>
-void checkRising(const std::vector<Row>& rows, const std::string& name,
-                 std::vector<Problem>& problems) {
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    if (rows[i].radius > rows[i - 1].radius) continue;
-    problems.push_back({name + "[" + std::to_string(i) + "].radius",
-                        "this radius is not above the one before it",
-                        "radii must rise from row to row"});
-    return;
-  }
 }
 
 }  // namespace
@@ -106,12 +94,12 @@ void Describe<PropellerGeometry>::fields(schema::Builder<PropellerGeometry>& b) 
       .range(schema::atLeast(0.01), schema::upTo(0.9))
       .help("The blade begins at this fraction of the tip radius.")
       .advanced();
-  b.list("stations", &G::stations, "Stations").items(1, 500).table();
-  b.list("sections", &G::sections, "Sections").items(1, 50);
-  b.check([](const G& g, std::vector<Problem>& problems) {
-    checkRising(g.stations, "stations", problems);
-    checkRising(g.sections, "sections", problems);
-  });
+  constexpr schema::RisingColumn kRadii{"radius", "radii"};
+  schema::risingList(b, "stations", &G::stations, "Stations", &BladeStation::radius, kRadii)
+      .items(1, 500)
+      .table();
+  schema::risingList(b, "sections", &G::sections, "Sections", &BladeSection::radius, kRadii)
+      .items(1, 50);
 }
 
 }  // namespace rotorbench

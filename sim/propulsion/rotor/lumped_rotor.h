@@ -13,7 +13,7 @@
 #include <cmath>
 
 #include "sim/core/schema.h"
-#include "sim/propulsion/rotor/rotor_load.h"
+#include "sim/propulsion/rotor/hub_load.h"
 
 namespace rotorbench {
 
@@ -61,24 +61,13 @@ struct RotorModel {
                                           const Real& spin, const Density& density) const {
     using std::abs;
     const S magnitude = abs(w);
-    const S axial = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
-    const S inPlaneSquared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - axial * axial;
+    const HubStream<S> stream = hubStream<S>(v, axis);
     const S drive = density * magnitude;
     const S square = drive * w;
-    RotorLoad<S, Vector> l;
-    l.thrust = thrust * square + lift * (density * inPlaneSquared) - inflow * (drive * axial);
-    l.torque = torque * square;
-    const S side = drag * drive;
-    // In-plane velocity is v - axial * axis; its axial part is put back into the thrust here.
-    const S along = l.thrust + side * axial;
-    const S twist = -spin * l.torque;
-    const S flap = flapping * drive;
-    for (int k = 0; k < 3; ++k) {
-      const int a = (k + 1) % 3, b = (k + 2) % 3;
-      l.force[k] = along * axis[k] - side * v[k];
-      l.moment[k] = twist * axis[k] - flap * (v[a] * axis[b] - v[b] * axis[a]);
-    }
-    return l;
+    const S along =
+        thrust * square + lift * (density * stream.acrossSquared) - inflow * (drive * stream.axial);
+    return hubLoad<S>(v, axis, spin, stream.axial, along, S(torque * square), S(drag * drive),
+                      S(flapping * drive));
   }
 };
 

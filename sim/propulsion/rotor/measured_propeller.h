@@ -18,7 +18,7 @@
 
 #include "sim/core/scalar.h"
 #include "sim/core/schema.h"
-#include "sim/propulsion/rotor/rotor_load.h"
+#include "sim/propulsion/rotor/hub_load.h"
 
 namespace rotorbench {
 
@@ -73,21 +73,12 @@ class CoefficientTable {
   [[nodiscard]] RotorLoad<S, Vector> load(const S& w, const Vector& v, const Axis& axis,
                                           double spin, const S& density) const {
     using std::abs;
-    const S axial = v[0] * axis[0] + v[1] * axis[1] + v[2] * axis[2];
-    const S inPlaneSquared = v[0] * v[0] + v[1] * v[1] + v[2] * v[2] - axial * axial;
-    const Coefficients<S> at = axialLoad(w, axial, density);
+    const HubStream<S> stream = hubStream<S>(v, axis);
+    const Coefficients<S> at = axialLoad(w, stream.axial, density);
     const S drive = density * abs(w);
-    RotorLoad<S, Vector> l;
-    l.thrust = at.thrust + lift_ * density * inPlaneSquared;
-    l.torque = at.torque;
-    const S side = drag_ * drive, flap = flapping_ * drive;
-    const S along = l.thrust + side * axial, twist = -spin * l.torque;
-    for (int k = 0; k < 3; ++k) {
-      const int a = (k + 1) % 3, b = (k + 2) % 3;
-      l.force[k] = along * axis[k] - side * v[k];
-      l.moment[k] = twist * axis[k] - flap * (v[a] * axis[b] - v[b] * axis[a]);
-    }
-    return l;
+    return hubLoad<S>(v, axis, spin, stream.axial,
+                      S(at.thrust + lift_ * density * stream.acrossSquared), at.torque,
+                      S(drag_ * drive), S(flapping_ * drive));
   }
 
   /// A thrust and a torque; in N and N m, or as coefficients.

@@ -1,6 +1,7 @@
 #include "sim/propulsion/rotor/polar_section.h"
 
 #include "sim/core/constants.h"
+#include "sim/core/rising.h"
 
 namespace rotorbench {
 
@@ -137,16 +138,10 @@ void Describe<Polar>::fields(schema::Builder<Polar>& b) {
   b.title("polar", "Polar", "Lift and drag against the angle of attack at one Reynolds number.");
   b.number("reynolds", &Polar::reynolds, "Reynolds number", "Re", "1")
       .range(schema::atLeast(1), schema::upTo(1e9));
-  b.list("points", &Polar::points, "Points").items(2, 2000).table();
-  b.check([](const Polar& p, std::vector<Problem>& problems) {
-    for (std::size_t i = 1; i < p.points.size(); ++i) {
-      if (p.points[i].alpha > p.points[i - 1].alpha) continue;
-      problems.push_back({"points[" + std::to_string(i) + "].alpha",
-                          "this angle is not above the one before it",
-                          "angles of attack must rise from point to point"});
-      return;
-    }
-  });
+  schema::risingList(b, "points", &Polar::points, "Points", &PolarPoint::alpha,
+                     {"alpha", "angles of attack"})
+      .items(2, 2000)
+      .table();
 }
 
 void Describe<PolarSection>::fields(schema::Builder<PolarSection>& b) {
