@@ -3,9 +3,9 @@
 
 Usage: tidy_sources.py TREE BUILD FOLDER [--since COMMIT]
 BUILD was configured by the tidy preset. Writes compile_commands.json into FOLDER and prints the files
-to check, NUL-separated: eight sources of a target at a time, as a unity build joins them (most of the
-time goes into the headers they share), and tests one by one (each is a program). What stays alone in a
-unity build stays alone here.
+to check, NUL-separated: what a unity build joins at once, for most of the time goes into the headers they
+share (never what two of its batches hold: names of one source may stand in another again), and tests one
+by one, each of them a program.
 
 With --since, only what differs from that commit, in the working tree as in commits: changed sources,
 sources of sim, ui and app that include a changed header over any number of steps, tests that include a
@@ -23,7 +23,6 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).parent))
 from include_counts import include_graph, included  # noqa: E402
 
-BATCH = 8
 JOINED = re.compile(r'^#include "([^"]+)"$', re.MULTILINE)
 
 
@@ -53,9 +52,9 @@ def concerned(source, changed, includes):
 
 
 def compiled(build, tree):
-    """(command, folder, sources, single) of each entry of the build: names from the top of the tree, and
-    whether they must stay alone. A source that CMake copied for a test counts as the one beside the test;
-    what a test takes from elsewhere is checked there."""
+    """(command, folder, sources) of each entry of the build, the sources as names from the top of the tree. A
+    source that CMake copied for a test counts as the one beside the test; what a test takes from elsewhere
+    is checked there."""
     for entry in json.loads((build / "compile_commands.json").read_text()):
         if re.search("_autogen|cmake_pch", entry["file"]):
             continue
@@ -65,7 +64,7 @@ def compiled(build, tree):
         if names[0].parts[0] == "tests":
             beside = [names[0].parent / name.name for name in names]
             names = [name for name in dict.fromkeys(beside) if (tree / name).is_file()]
-        yield re.sub(r" -o \S+ -c \S+$", "", entry["command"]), entry["directory"], list(map(str, names)), not joined
+        yield re.sub(r" -o \S+ -c \S+$", "", entry["command"]), entry["directory"], list(map(str, names))
 
 
 def main(tree, build, folder, since):
@@ -73,37 +72,32 @@ def main(tree, build, folder, since):
     if since and changed is None:
         print(f"commit {since} is not known here: everything is checked", file=sys.stderr)
     includes = include_graph(tree, ("sim", "ui", "app", "tests"))
-    batches, seen, total = {}, set(), 0
-    alone = []
-    for command, directory, sources, single in compiled(build, tree):
-        wanted = [s for s in sources if s not in seen]
-        seen.update(wanted)
-        total += len(wanted)
-        if changed is not None:
-            wanted = [s for s in wanted if concerned(s, changed, includes)]
-        if single or sources[0].startswith("tests/"):
-            alone += [(command, directory, s) for s in wanted]
-        else:
-            batches.setdefault((command, directory), []).extend(wanted)
     folder.mkdir(parents=True, exist_ok=True)
     # What moc writes is not ours to check: an empty file stands for it.
     stubs = folder / "moc"
     stubs.mkdir(exist_ok=True)
-    entries = []
-    for command, directory, source in alone:
-        (stubs / (Path(source).stem + ".moc")).touch()
-        entries.append((command, directory, tree / source))
-    for (command, directory), sources in batches.items():
-        for first in range(0, len(sources), BATCH):
-            file = folder / f"batch_{len(entries)}.cpp"
-            file.write_text("".join(f'#include "{tree / s}"\n' for s in sources[first:first + BATCH]))
-            entries.append((command, directory, file))
-    (folder / "compile_commands.json").write_text(json.dumps([
-        {"directory": directory, "file": str(file), "command": f"{command} -I{stubs} -o {file.stem}.o -c {file}"}
-        for command, directory, file in entries]))
-    count = len(alone) + sum(map(len, batches.values()))
-    print(f"{count} of {total} sources in {len(entries)} runs", file=sys.stderr)
-    print(*(file for _, _, file in entries), sep="\0", end="\0" if entries else "")
+    seen, checked, entries = set(), 0, []
+
+    def enter(command, directory, file):
+        entries.append({"directory": directory, "file": str(file),
+                        "command": f"{command} -I{stubs} -o {file.stem}.o -c {file}"})
+
+    for command, directory, sources in compiled(build, tree):
+        sources = [s for s in sources if s not in seen]
+        seen.update(sources)
+        wanted = [s for s in sources if changed is None or concerned(s, changed, includes)]
+        checked += len(wanted)
+        if len(wanted) == 1 or any(s.startswith("tests/") for s in wanted):
+            for source in wanted:
+                (stubs / (Path(source).stem + ".moc")).touch()
+                enter(command, directory, tree / source)
+        elif wanted:
+            batch = folder / f"batch_{len(entries)}.cpp"
+            batch.write_text("".join(f'#include "{tree / s}"\n' for s in wanted))
+            enter(command, directory, batch)
+    (folder / "compile_commands.json").write_text(json.dumps(entries))
+    print(f"{checked} of {len(seen)} sources in {len(entries)} runs", file=sys.stderr)
+    print(*(entry["file"] for entry in entries), sep="\0", end="\0" if entries else "")
 
 
 if __name__ == "__main__":
