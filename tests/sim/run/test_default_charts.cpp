@@ -1,11 +1,10 @@
 // A newly made experiment of any kind has charts, and every one of them finds channels in it.
-#include <QRegularExpression>
 #include <QTest>
 
 #include "sim/core/schema_tree.h"
 #include "sim/document/default_charts.h"
 #include "sim/document/experiment.h"
-#include "sim/run/simulation.h"
+#include "tests/sim/run/charted_channels.h"
 
 using namespace rotorbench;
 
@@ -15,23 +14,6 @@ Experiment newOfKind(std::size_t kind) {
   Experiment experiment;
   schema::typeOf<Experiment>().field("setup")->choose(&experiment, kind);
   return experiment;
-}
-
-QStringList channelsOf(const Experiment& experiment) {
-  QStringList names;
-  const auto simulation = buildSimulation(experiment);
-  for (const RunOutput& run : simulation->runs()) {
-    for (const Channel& channel : run.recording->channels())
-      names << QString::fromStdString(channel.name);
-  }
-  return names;
-}
-
-/// A * stands for any text without a dot.
-bool finds(const QStringList& channels, const QString& pattern) {
-  const QString expression = QRegularExpression::escape(pattern.trimmed()).replace("\\*", "[^.]*");
-  return !channels.filter(QRegularExpression(QRegularExpression::anchoredPattern(expression)))
-              .isEmpty();
 }
 
 }  // namespace
@@ -57,13 +39,11 @@ void TestDefaultCharts::everyKindHasChartsThatFindTheirChannels() {
   QVERIFY(experiment.outputs.charts.empty());
   const std::vector<ChartSpec> charts = chartsOf(experiment);
   QVERIFY(charts.size() >= 3);
-  const QStringList channels = channelsOf(experiment);
+  const auto simulation = buildSimulation(experiment);
   for (const ChartSpec& chart : charts) {
     QVERIFY(!chart.title.empty());
-    QStringList patterns = QString::fromStdString(chart.channels).split(',');
-    if (chart.kind == ChartKind::XY) patterns << QString::fromStdString(chart.x);
-    for (const QString& pattern : patterns)
-      QVERIFY2(finds(channels, pattern), qPrintable(pattern + " of " + channels.join(", ")));
+    const QStringList missing = test::undrawn(chart, simulation->runs(), test::Wanted::Names);
+    QVERIFY2(missing.empty(), qPrintable(missing.join(", ")));
   }
 }
 

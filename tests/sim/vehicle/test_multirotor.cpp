@@ -137,26 +137,26 @@ void TestMultirotor::tiltMovesTheRightWay() {
 }
 
 void TestMultirotor::hoverIsAnEquilibrium_data() {
-  QTest::addColumn<int>("which");
+  QTest::addColumn<VehicleParameters>("vehicle");
   QTest::addColumn<double>("speed");  // rad/s of rotor 1 from the reference table, 0: not checked
-  QTest::addRow("F450") << 0 << 509.0;
-  QTest::addRow("F450 on a weak supply") << 1 << 509.0;
-  QTest::addRow("unbalanced F450") << 2 << 0.0;
-  QTest::addRow("Hummingbird") << 3 << 469.0;
-  QTest::addRow("F450 from parts with a payload") << 4 << 0.0;
+  QTest::addColumn<bool>("unbalanced");  // uneven moments are carried with uneven speeds
+  VehicleParameters weak, uneven, parts;
+  std::get<SupplyParameters>(weak.supply).internalResistance = 0.05;
+  uneven.deviations = {{1, {0.02, 0.02, 0}, 0}, {3, Vector3d::Zero(), 0.03}};
+  parts.mass = PartsMass{};
+  parts.payloads = {{0.1, {0.03, 0, -0.05}}};
+  QTest::addRow("F450") << VehicleParameters{} << 509.0 << false;
+  QTest::addRow("F450 on a weak supply") << weak << 509.0 << false;
+  QTest::addRow("unbalanced F450") << uneven << 0.0 << true;
+  QTest::addRow("Hummingbird") << hummingbird() << 469.0 << false;
+  QTest::addRow("F450 from parts with a payload") << parts << 0.0 << true;
 }
 
 void TestMultirotor::hoverIsAnEquilibrium() {
-  QFETCH(int, which);
+  QFETCH(VehicleParameters, vehicle);
   QFETCH(double, speed);
-  VehicleParameters v = which == 3 ? hummingbird() : VehicleParameters{};
-  if (which == 1) std::get<SupplyParameters>(v.supply).internalResistance = 0.05;
-  if (which == 2) v.deviations = {{1, {0.02, 0.02, 0}, 0}, {3, Vector3d::Zero(), 0.03}};
-  if (which == 4) {
-    v.mass = PartsMass{};
-    v.payloads = {{0.1, {0.03, 0, -0.05}}};
-  }
-  Driven plant(buildMultirotor<4>(v, {}));
+  QFETCH(bool, unbalanced);
+  Driven plant(buildMultirotor<4>(vehicle, {}));
   FlightStart start;
   start.position = {1, 2, 3};
   start.attitude = {0, 0, 0.7};
@@ -165,12 +165,11 @@ void TestMultirotor::hoverIsAnEquilibrium() {
   QVERIFY(plant.command().maxCoeff() < 1);
   Driven::State d;
   plant(0, y, d);
-  // An unbalanced vehicle carries its uneven moments with uneven speeds; all of them then balance.
   QVERIFY2(d.head<L::kCharge>().cwiseAbs().maxCoeff() < 1e-10,
            qPrintable(QString::number(d.head<L::kCharge>().cwiseAbs().maxCoeff())));
   if (speed > 0) QVERIFY(std::abs(y[L::kSpeed] - speed) < 0.5);
   const double spread = y.head<4>().maxCoeff() - y.head<4>().minCoeff();
-  QCOMPARE(spread > 1, which == 2 || which == 4);
+  QCOMPARE(spread > 1, unbalanced);
 }
 
 /// A rotor with momentum h along z and a roll rate p: -w x h is +p h about y.

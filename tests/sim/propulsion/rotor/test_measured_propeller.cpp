@@ -99,8 +99,9 @@ class TestMeasuredPropeller : public QObject {
       QVERIFY(coefficients(table, 500, advance).first > 0);
   }
 
-  /// The parked propeller of the extrapolation against blade elements: the mean of 101 propellers,
-  /// within 25 %.
+  /// The parked propeller of the extrapolation is the mean of blade elements over 101 propellers,
+  /// written with two digits. (One propeller is off by more: their standard deviation is 36 % of the
+  /// mean thrust and 45 % of the mean torque.)
   void parkedValuesAreThoseOfBladeElements() {
     double thrust = 0, torque = 0, count = 0;
     for (const auto& set : uiuc::sets()) {
@@ -111,8 +112,8 @@ class TestMeasuredPropeller : public QObject {
       thrust -= load.thrust * scale, torque -= load.torque * scale / rotor.radius(), ++count;
     }
     qInfo("thrust %.4f, torque %.4f", thrust / count, torque / count);
-    QVERIFY(std::abs(thrust / count / kParkedThrust - 1) < 0.25);
-    QVERIFY(std::abs(torque / count / kParkedTorque - 1) < 0.25);
+    QVERIFY(std::abs(thrust / count - kParkedThrust) < 0.005);
+    QVERIFY(std::abs(torque / count - kParkedTorque) < 0.0005);
   }
 
   void finiteEverywhere() {

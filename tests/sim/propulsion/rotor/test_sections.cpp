@@ -85,23 +85,31 @@ void TestSections::everySectionBecomesAPlate_data() {
   QTest::addColumn<double>("normal");  // 2 sin a/(0.56 + 0.44 |sin a|): Hoerner
   QTest::addRow("broadside") << 90.0 << 2.0;
   QTest::addRow("from above") << -90.0 << -2.0;
-  QTest::addRow("60 degrees") << 60.0 << 1.8404;
-  QTest::addRow("from behind") << 150.0 << 1.2821;
+  QTest::addRow("60 degrees") << 60.0 << 1.84055;
+  QTest::addRow("from behind") << 150.0 << 1.28205;
 }
 
+/// Beyond stall a force along the plate's normal, and along the stream the drag of the section: of
+/// the analytic one 5.3 profile drags, of a polar its least.
 void TestSections::everySectionBecomesAPlate() {
   QFETCH(double, alpha);
   QFETCH(double, normal);
   const double a = alpha * kDegree;
-  const AnalyticCurve analytic({}, {0.2, 0, false}, 8e4);
+  const SectionConstants constants;
+  const AnalyticCurve analytic(constants, {0.2, 0, false}, 8e4);
   const PreparedPolars prepared(twoPolars());
   const PolarCurve polar = prepared.curve({0.2, 0, false}, 2e5);
-  for (const SectionCoefficients c : {analytic.at(a), polar.at(a)}) {
-    const double across = c.lift * std::cos(a) + c.drag * std::sin(a);
-    QVERIFY2(std::abs(across - normal) < 0.18, qPrintable(QString::number(across)));
-    QVERIFY(std::abs(c.lift - normal * std::cos(a)) < 0.05);
-    QVERIFY(c.drag > 0);
-  }
+  const auto isPlate = [&](const SectionCoefficients& c, double drag, double allowed) {
+    const double lift = c.lift - normal * std::cos(a), rest = c.drag - normal * std::sin(a) - drag;
+    QVERIFY2(std::abs(lift) < allowed && std::abs(rest) < allowed,
+             qPrintable(QString("lift %1, drag %2 beside the plate's").arg(lift).arg(rest)));
+  };
+  // To the digits above: the stall is over e^-17 at 60 degrees.
+  const double profile = constants.profileDrag * std::pow(0.8, constants.profileDragReynolds);
+  isPlate(analytic.at(a), constants.separatedDragFactor * profile, 1e-5);
+  // Half-way between the two in ln Re. At 60 degrees, 51 beyond the last point, the glide of 10 has
+  // left e^-5.1 of what that point lifts more than a plate, 0.63.
+  isPlate(polar.at(a), (0.01 + 0.006) / 2, 4e-3);
 }
 
 void TestSections::coefficientsAreContinuous() {

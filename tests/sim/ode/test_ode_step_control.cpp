@@ -59,7 +59,7 @@ Ran oscillate(const SolverSettings& s) {
 
 }  // namespace
 
-class StepControlTest : public QObject {
+class TestOdeStepControl : public QObject {
   Q_OBJECT
  private slots:
   void keptSteps_data() { controllers(); }
@@ -132,5 +132,5 @@ class StepControlTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(StepControlTest)
-#include "step_control_test.moc"
+QTEST_APPLESS_MAIN(TestOdeStepControl)
+#include "test_ode_step_control.moc"

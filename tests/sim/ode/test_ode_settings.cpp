@@ -8,7 +8,7 @@
 using namespace rotorbench;
 using namespace rotorbench::ode;
 
-class SettingsTest : public QObject {
+class TestOdeSettings : public QObject {
   Q_OBJECT
  private slots:
   void namesAndKeys() {
@@ -72,5 +72,5 @@ class SettingsTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SettingsTest)
-#include "settings_test.moc"
+QTEST_APPLESS_MAIN(TestOdeSettings)
+#include "test_ode_settings.moc"

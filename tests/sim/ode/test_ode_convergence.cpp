@@ -41,7 +41,7 @@ State solve(const SolverSettings& settings, System::Function f, State y, double 
 
 }  // namespace
 
-class ConvergenceTest : public QObject {
+class TestOdeConvergence : public QObject {
   Q_OBJECT
  private slots:
   void order_data() { methods(); }
@@ -125,5 +125,5 @@ class ConvergenceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ConvergenceTest)
-#include "convergence_test.moc"
+QTEST_APPLESS_MAIN(TestOdeConvergence)
+#include "test_ode_convergence.moc"

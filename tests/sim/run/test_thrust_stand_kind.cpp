@@ -200,4 +200,4 @@ class TestThrustStandKind : public QObject {
 };
 
 QTEST_APPLESS_MAIN(TestThrustStandKind)
-#include "test_thrust_stand.moc"
+#include "test_thrust_stand_kind.moc"

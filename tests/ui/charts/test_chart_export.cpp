@@ -55,7 +55,7 @@ struct Sheet {
 
 }  // namespace
 
-class ChartExportTest : public QObject {
+class TestChartExport : public QObject {
   Q_OBJECT
 
  private slots:
@@ -74,7 +74,7 @@ class ChartExportTest : public QObject {
   void badPathsAreExplained();
 };
 
-void ChartExportTest::png() {
+void TestChartExport::png() {
   Sheet s;
   QCOMPARE(exportPane(s.pane(), s.path("a.png")), QString());
   const QImage image(s.path("a.png"));
@@ -88,14 +88,14 @@ void ChartExportTest::png() {
   QVERIFY2(blue > 500, qPrintable(QString::number(blue)));  // the curve of rotor 1
 }
 
-void ChartExportTest::curvesAreThereAgainAndAgain_data() {
+void TestChartExport::curvesAreThereAgainAndAgain_data() {
   QTest::addColumn<bool>("xy");
   QTest::addRow("over time") << false;
   QTest::addRow("one over another") << true;
 }
 
 /// A chart that has been on show, exported twice: what was read before is not missing then.
-void ChartExportTest::curvesAreThereAgainAndAgain() {
+void TestChartExport::curvesAreThereAgainAndAgain() {
   QFETCH(bool, xy);
   Sheet s;
   s.pane().setSpec({"", xy ? ChartKind::XY : ChartKind::Time, xy ? "error" : "", "rotor1.thrust",
@@ -110,7 +110,7 @@ void ChartExportTest::curvesAreThereAgainAndAgain() {
   }
 }
 
-void ChartExportTest::svgHasTitleUnitsAndLegend() {
+void TestChartExport::svgHasTitleUnitsAndLegend() {
   Sheet s;
   QCOMPARE(exportPane(s.pane(), s.path("a.svg")), QString());
   bool wellFormed = false;
@@ -126,7 +126,7 @@ void ChartExportTest::svgHasTitleUnitsAndLegend() {
   QVERIFY(bytes.count("<polyline") + bytes.count("<path") > 20);
 }
 
-void ChartExportTest::pdfHasTheText() {
+void TestChartExport::pdfHasTheText() {
   Sheet s;
   QCOMPARE(exportPane(s.pane(), s.path("a.pdf")), QString());
   const QByteArray bytes = read(s.path("a.pdf"));
@@ -146,7 +146,7 @@ void ChartExportTest::pdfHasTheText() {
   }
 }
 
-void ChartExportTest::csvOfTheVisibleRange() {
+void TestChartExport::csvOfTheVisibleRange() {
   Sheet s;  // samples every 0.1 s
   s.pane().setView({Span{2, 3}, {}});
   QCOMPARE(exportPane(s.pane(), s.path("a.csv")), QString());
@@ -158,7 +158,7 @@ void ChartExportTest::csvOfTheVisibleRange() {
   QCOMPARE(lines[11], QByteArray("3,4,5"));
 }
 
-void ChartExportTest::csvOfSeveralRuns() {
+void TestChartExport::csvOfSeveralRuns() {
   Sheet s(11);
   s.runs.add(fixture::run("2, again", fixture::ramp(6, 5)));
   const auto lines = paneCsv(s.pane()).trimmed().split('\n');
@@ -171,14 +171,14 @@ void ChartExportTest::csvOfSeveralRuns() {
   QCOMPARE(lines[11], QStringLiteral("10,11,12,,,"));
 }
 
-void ChartExportTest::csvLeavesHiddenCurvesOut() {
+void TestChartExport::csvLeavesHiddenCurvesOut() {
   Sheet s;
   s.grid.show();
   QTest::mouseClick(s.pane().findChild<QWidget*>("legend:rotor1.thrust"), Qt::LeftButton);
   QVERIFY(paneCsv(s.pane()).startsWith("time [s],rotor2.thrust [N]\n"));
 }
 
-void ChartExportTest::germanLocaleWritesPoints() {
+void TestChartExport::germanLocaleWritesPoints() {
   const QLocale before;
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   Sheet s;
@@ -192,7 +192,7 @@ void ChartExportTest::germanLocaleWritesPoints() {
   QVERIFY(csv.contains("\n0.1,1.1,2.1\n"));
 }
 
-void ChartExportTest::allPanes() {
+void TestChartExport::allPanes() {
   Sheet s;
   QCOMPARE(exportAllPanes(s.grid, s.path("out"), FigureFormat::Svg), QString());
   QCOMPARE(QDir(s.path("out")).entryList(QDir::Files),
@@ -203,7 +203,7 @@ void ChartExportTest::allPanes() {
   QVERIFY2(texts.contains("10⁻⁴"), qPrintable(texts.join('|')));
 }
 
-void ChartExportTest::clipboardTakesPictureAndTable() {
+void TestChartExport::clipboardTakesPictureAndTable() {
   Sheet s;
   QCOMPARE(copyPane(s.pane()), QStringLiteral("The chart and its table were copied."));
   const QMimeData* data = QApplication::clipboard()->mimeData();
@@ -215,7 +215,7 @@ void ChartExportTest::clipboardTakesPictureAndTable() {
   QVERIFY(QApplication::clipboard()->mimeData()->text().isEmpty());
 }
 
-void ChartExportTest::badPathsAreExplained_data() {
+void TestChartExport::badPathsAreExplained_data() {
   QTest::addColumn<QString>("name");
   QTest::addColumn<QString>("says");
   QTest::addRow("no such folder") << "missing/a.png"
@@ -226,7 +226,7 @@ void ChartExportTest::badPathsAreExplained_data() {
                              << "must end in";
 }
 
-void ChartExportTest::badPathsAreExplained() {
+void TestChartExport::badPathsAreExplained() {
   QFETCH(QString, name);
   QFETCH(QString, says);
   Sheet s;
@@ -235,5 +235,5 @@ void ChartExportTest::badPathsAreExplained() {
   QVERIFY(!QFile::exists(s.path(name)));
 }
 
-QTEST_MAIN(ChartExportTest)
-#include "chart_export_test.moc"
+QTEST_MAIN(TestChartExport)
+#include "test_chart_export.moc"

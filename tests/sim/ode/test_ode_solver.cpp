@@ -70,7 +70,7 @@ SolverSettings settingsOf(Method m) {
 
 }  // namespace
 
-class SolverTest : public QObject {
+class TestOdeSolver : public QObject {
   Q_OBJECT
  private slots:
   void sampledLandsExactly_data() { methods(); }
@@ -320,5 +320,5 @@ class SolverTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(SolverTest)
-#include "solver_test.moc"
+QTEST_APPLESS_MAIN(TestOdeSolver)
+#include "test_ode_solver.moc"

@@ -120,7 +120,7 @@ void checkPair() {
 
 }  // namespace
 
-class TableauTest : public QObject {
+class TestOdeTableau : public QObject {
   Q_OBJECT
  private slots:
   void numberOfTrees() {
@@ -148,5 +148,5 @@ class TableauTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(TableauTest)
-#include "tableau_test.moc"
+QTEST_APPLESS_MAIN(TestOdeTableau)
+#include "test_ode_tableau.moc"

@@ -53,7 +53,7 @@ State ownRun(Method method, double h, int steps) {
 
 }  // namespace
 
-class OdeintTest : public QObject {
+class TestOdeint : public QObject {
   Q_OBJECT
  private slots:
   void euler() {
@@ -99,5 +99,5 @@ class OdeintTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(OdeintTest)
-#include "odeint_test.moc"
+QTEST_APPLESS_MAIN(TestOdeint)
+#include "test_odeint.moc"

@@ -18,7 +18,7 @@ using Bench = forms_test::Document;
 using Action = std::function<void(DocumentModel&)>;
 Q_DECLARE_METATYPE(Action)
 
-class DocumentModelTest : public QObject {
+class TestDocumentModel : public QObject {
   Q_OBJECT
 
  private slots:
@@ -40,7 +40,7 @@ class DocumentModelTest : public QObject {
   void sectionsHoldWhatTheyShow();
 };
 
-void DocumentModelTest::editsUndoAndRedo_data() {
+void TestDocumentModel::editsUndoAndRedo_data() {
   QTest::addColumn<Action>("edit");
   QTest::addColumn<QString>("text");
   const auto row = [](const char* name, Action edit, const char* text) {
@@ -84,7 +84,7 @@ void DocumentModelTest::editsUndoAndRedo_data() {
       "Take Big from the library");
 }
 
-void DocumentModelTest::editsUndoAndRedo() {
+void TestDocumentModel::editsUndoAndRedo() {
   QFETCH(Action, edit);
   QFETCH(QString, text);
   Bench start;
@@ -105,7 +105,7 @@ void DocumentModelTest::editsUndoAndRedo() {
   QVERIFY(model.as<Bench>() == edited);
 }
 
-void DocumentModelTest::repeatedEditsAreOneStep() {
+void TestDocumentModel::repeatedEditsAreOneStep() {
   DocumentModel model(makeDocument(Bench()));
   for (const double span : {0.26, 0.27, 0.28}) {
     model.set("span", span, DocumentModel::Edit::Repeated);
@@ -121,7 +121,7 @@ void DocumentModelTest::repeatedEditsAreOneStep() {
   QCOMPARE(model.as<Bench>().span, 0.25);
 }
 
-void DocumentModelTest::comingBackLeavesNothingToUndo() {
+void TestDocumentModel::comingBackLeavesNothingToUndo() {
   DocumentModel model(makeDocument(Bench()));
   QSignalSpy clean(&model, &DocumentModel::cleanChanged);
   model.set("span", 0.26, DocumentModel::Edit::Repeated);
@@ -134,7 +134,7 @@ void DocumentModelTest::comingBackLeavesNothingToUndo() {
   QCOMPARE(model.undoStack()->count(), 0);
 }
 
-void DocumentModelTest::repeatedEditsDoNotMergeAcrossSaving() {
+void TestDocumentModel::repeatedEditsDoNotMergeAcrossSaving() {
   DocumentModel model(makeDocument(Bench()));
   model.set("span", 0.26, DocumentModel::Edit::Repeated);
   model.setClean();
@@ -144,7 +144,7 @@ void DocumentModelTest::repeatedEditsDoNotMergeAcrossSaving() {
   QVERIFY(model.isClean());
 }
 
-void DocumentModelTest::valuesOutsideTheRangeAreRefused() {
+void TestDocumentModel::valuesOutsideTheRangeAreRefused() {
   DocumentModel model(makeDocument(Bench()));
   for (const double wrong : {0.0, -1.0, 2.5, std::nan(""), HUGE_VAL}) {
     QVERIFY(model.set("span", wrong).has_value());
@@ -155,7 +155,7 @@ void DocumentModelTest::valuesOutsideTheRangeAreRefused() {
   QCOMPARE(model.undoStack()->count(), 0);
 }
 
-void DocumentModelTest::variantKeepsTheOldAlternative() {
+void TestDocumentModel::variantKeepsTheOldAlternative() {
   Bench start;
   start.wind = Gusty{7.5, 42};
   DocumentModel model(makeDocument(start));
@@ -172,7 +172,7 @@ void DocumentModelTest::variantKeepsTheOldAlternative() {
   QCOMPARE(std::get<forms_test::Still>(model.as<Bench>().wind).density, 1.1);
 }
 
-void DocumentModelTest::invalidTextBlocksUntilPutRight() {
+void TestDocumentModel::invalidTextBlocksUntilPutRight() {
   DocumentModel model(makeDocument(Bench()));
   QVERIFY(!model.hasErrors());
   model.setInvalidText("span", "ten", "\"ten\" is not a number.");
@@ -190,7 +190,7 @@ void DocumentModelTest::invalidTextBlocksUntilPutRight() {
   QVERIFY(model.hasErrors());
 }
 
-void DocumentModelTest::loadingStartsAnew() {
+void TestDocumentModel::loadingStartsAnew() {
   DocumentModel model(makeDocument(Bench()));
   model.set("span", 0.5);
   model.setInvalidText("steps", "x", "No.");
@@ -206,7 +206,7 @@ void DocumentModelTest::loadingStartsAnew() {
   QVERIFY(*static_cast<const Bench*>(copy.object.get()) == other);
 }
 
-void DocumentModelTest::defaultsFollowTheAlternative() {
+void TestDocumentModel::defaultsFollowTheAlternative() {
   Bench start;
   start.wind = Gusty{7.5, 42};
   start.motors.resize(3);
@@ -221,7 +221,7 @@ void DocumentModelTest::defaultsFollowTheAlternative() {
   QVERIFY(!of("wind.density"));
 }
 
-void DocumentModelTest::digitsStep_data() {
+void TestDocumentModel::digitsStep_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<int>("cursor");
   QTest::addColumn<int>("steps");
@@ -240,7 +240,7 @@ void DocumentModelTest::digitsStep_data() {
   QTest::addRow("not a number") << "3*2" << 1 << 1 << 0 << "" << 0;
 }
 
-void DocumentModelTest::digitsStep() {
+void TestDocumentModel::digitsStep() {
   QFETCH(QString, text);
   QFETCH(int, cursor);
   QFETCH(int, steps);
@@ -254,7 +254,7 @@ void DocumentModelTest::digitsStep() {
   if (up == 0) QCOMPARE(stepped->cursor, resultCursor);
 }
 
-void DocumentModelTest::tablesSplit_data() {
+void TestDocumentModel::tablesSplit_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<bool>("commaIsDecimal");
   QTest::addColumn<QList<QStringList>>("rows");
@@ -267,7 +267,7 @@ void DocumentModelTest::tablesSplit_data() {
   QTest::addRow("nothing") << "\n \n" << false << Rows{};
 }
 
-void DocumentModelTest::tablesSplit() {
+void TestDocumentModel::tablesSplit() {
   QFETCH(QString, text);
   QFETCH(bool, commaIsDecimal);
   QFETCH(QList<QStringList>, rows);
@@ -276,7 +276,7 @@ void DocumentModelTest::tablesSplit() {
   if (severalCells) QCOMPARE(splitTable(joinTable(rows), false), rows);
 }
 
-void DocumentModelTest::sectionsHoldWhatTheyShow_data() {
+void TestDocumentModel::sectionsHoldWhatTheyShow_data() {
   QTest::addColumn<QString>("path");
   QTest::addColumn<QString>("section");
   QTest::addRow("leaf") << "span"
@@ -295,12 +295,12 @@ void DocumentModelTest::sectionsHoldWhatTheyShow_data() {
                                 << "motors";
 }
 
-void DocumentModelTest::sectionsHoldWhatTheyShow() {
+void TestDocumentModel::sectionsHoldWhatTheyShow() {
   QFETCH(QString, path);
   QFETCH(QString, section);
   DocumentModel model(makeDocument(Bench()));
   QCOMPARE(sectionOf(model.root(), path), section);
 }
 
-QTEST_MAIN(DocumentModelTest)
-#include "document_model_test.moc"
+QTEST_MAIN(TestDocumentModel)
+#include "test_document_model.moc"

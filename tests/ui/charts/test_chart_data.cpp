@@ -58,7 +58,7 @@ std::shared_ptr<Recording> noise(std::size_t rows, unsigned seed) {
 
 }  // namespace
 
-class ChartDataTest : public QObject {
+class TestChartData : public QObject {
   Q_OBJECT
 
  private slots:
@@ -85,7 +85,7 @@ class ChartDataTest : public QObject {
   void specIsDescribed();
 };
 
-void ChartDataTest::summaryEqualsBruteForce_data() {
+void TestChartData::summaryEqualsBruteForce_data() {
   QTest::addColumn<int>("rows");
   QTest::addColumn<bool>("positive");
   for (const int rows : {0, 1, 63, 64, 65, 511, 513, 4095, 4096, 4097, 33000, 100000}) {
@@ -94,7 +94,7 @@ void ChartDataTest::summaryEqualsBruteForce_data() {
   }
 }
 
-void ChartDataTest::summaryEqualsBruteForce() {
+void TestChartData::summaryEqualsBruteForce() {
   QFETCH(int, rows);
   QFETCH(bool, positive);
   const auto count = static_cast<std::size_t>(rows);
@@ -117,7 +117,7 @@ void ChartDataTest::summaryEqualsBruteForce() {
   }
 }
 
-void ChartDataTest::summaryGrowsInSmallPieces() {
+void TestChartData::summaryGrowsInSmallPieces() {
   auto recording = std::make_shared<Recording>(fixture::channels());
   ColumnSummary summary(recording, 1, ColumnSummary::Values::All);
   std::mt19937 random(3);
@@ -136,7 +136,7 @@ void ChartDataTest::summaryGrowsInSmallPieces() {
   }
 }
 
-void ChartDataTest::decimationKeepsExtremes_data() {
+void TestChartData::decimationKeepsExtremes_data() {
   QTest::addColumn<double>("low");
   QTest::addColumn<double>("high");
   QTest::addColumn<int>("columns");
@@ -148,7 +148,7 @@ void ChartDataTest::decimationKeepsExtremes_data() {
   QTest::addRow("past the end") << 150.0 << 5000.0 << 100;
 }
 
-void ChartDataTest::decimationKeepsExtremes() {
+void TestChartData::decimationKeepsExtremes() {
   QFETCH(double, low);
   QFETCH(double, high);
   QFETCH(int, columns);
@@ -192,7 +192,7 @@ void ChartDataTest::decimationKeepsExtremes() {
   QCOMPARE(least(drawn), least(expected));
 }
 
-void ChartDataTest::decimationWhileWriting() {
+void TestChartData::decimationWhileWriting() {
   auto recording = std::make_shared<Recording>(fixture::channels());
   std::thread writer([recording] {
     for (int i = 0; i < 200000; ++i) {
@@ -229,7 +229,7 @@ void ChartDataTest::decimationWhileWriting() {
                                       fresh.update(*recording, 200000, scale, 200)));
 }
 
-void ChartDataTest::xyTraceKeepsThePathWithinAPixel() {
+void TestChartData::xyTraceKeepsThePathWithinAPixel() {
   auto recording = std::make_shared<Recording>(
       std::vector<Channel>{{"time", "s", ""}, {"x", "m", ""}, {"y", "m", ""}});
   const AxisScale scale{{-1, 1}, false};
@@ -253,7 +253,7 @@ void ChartDataTest::xyTraceKeepsThePathWithinAPixel() {
   QCOMPARE(trace.points().last(), QPointF(recording->value(1, 49999), recording->value(2, 49999)));
 }
 
-void ChartDataTest::patterns_data() {
+void TestChartData::patterns_data() {
   QTest::addColumn<QString>("pattern");
   QTest::addColumn<QString>("name");
   QTest::addColumn<bool>("matches");
@@ -274,7 +274,7 @@ void ChartDataTest::patterns_data() {
                                << "rotor1" << false << "";
 }
 
-void ChartDataTest::patterns() {
+void TestChartData::patterns() {
   QFETCH(QString, pattern);
   QFETCH(QString, name);
   QFETCH(bool, matches);
@@ -284,7 +284,7 @@ void ChartDataTest::patterns() {
   if (matches && !found->empty()) QCOMPARE(QString::fromStdString(found->front()), star);
 }
 
-void ChartDataTest::curvesOfSpec_data() {
+void TestChartData::curvesOfSpec_data() {
   QTest::addColumn<bool>("xy");
   QTest::addColumn<QString>("x");
   QTest::addColumn<QString>("y");
@@ -315,7 +315,7 @@ void ChartDataTest::curvesOfSpec_data() {
                            << "";
 }
 
-void ChartDataTest::curvesOfSpec() {
+void TestChartData::curvesOfSpec() {
   QFETCH(bool, xy);
   QFETCH(QString, x);
   QFETCH(QString, y);
@@ -335,7 +335,7 @@ void ChartDataTest::curvesOfSpec() {
   QCOMPARE(found.join(u' '), curves);
 }
 
-void ChartDataTest::removingFromAWildcard() {
+void TestChartData::removingFromAWildcard() {
   ChartSpec spec;
   spec.channels = "rotor*.thrust, position.x";
   QCOMPARE(withChannel(spec, "rotor2.thrust"), spec);
@@ -344,7 +344,7 @@ void ChartDataTest::removingFromAWildcard() {
            std::string("rotor1.thrust, rotor3.thrust, rotor4.thrust, position.x"));
 }
 
-void ChartDataTest::ticks_data() {
+void TestChartData::ticks_data() {
   QTest::addColumn<double>("low");
   QTest::addColumn<double>("high");
   QTest::addColumn<bool>("log");
@@ -369,7 +369,7 @@ void ChartDataTest::ticks_data() {
                                    << "2 4 6 8" << 0;
 }
 
-void ChartDataTest::ticks() {
+void TestChartData::ticks() {
   QFETCH(double, low);
   QFETCH(double, high);
   QFETCH(bool, log);
@@ -387,7 +387,7 @@ void ChartDataTest::ticks() {
   QCOMPARE(found.exponent, exponent);
 }
 
-void ChartDataTest::niceRange_data() {
+void TestChartData::niceRange_data() {
   QTest::addColumn<double>("low");
   QTest::addColumn<double>("high");
   QTest::addColumn<bool>("log");
@@ -403,7 +403,7 @@ void ChartDataTest::niceRange_data() {
   QTest::addRow("no logarithm") << -1.0 << 1.0 << true << 0.1 << 1.0;
 }
 
-void ChartDataTest::niceRange() {
+void TestChartData::niceRange() {
   QFETCH(double, low);
   QFETCH(double, high);
   QFETCH(bool, log);
@@ -414,13 +414,13 @@ void ChartDataTest::niceRange() {
   QVERIFY2(qFuzzyCompare(span.high, niceHigh), qPrintable(QString::number(span.high)));
 }
 
-void ChartDataTest::zoomKeepsThePlaceUnderThePointer_data() {
+void TestChartData::zoomKeepsThePlaceUnderThePointer_data() {
   QTest::addColumn<bool>("log");
   QTest::addRow("linear") << false;
   QTest::addRow("logarithmic") << true;
 }
 
-void ChartDataTest::zoomKeepsThePlaceUnderThePointer() {
+void TestChartData::zoomKeepsThePlaceUnderThePointer() {
   QFETCH(bool, log);
   const AxisScale before{{1, 1000}, log};
   for (const double place : {0.0, 0.3, 1.0}) {
@@ -433,7 +433,7 @@ void ChartDataTest::zoomKeepsThePlaceUnderThePointer() {
   QVERIFY(std::abs(moved.toUnit(before.fromUnit(0.25))) < 1e-12);
 }
 
-void ChartDataTest::stylesSingleAndSeveralRuns() {
+void TestChartData::stylesSingleAndSeveralRuns() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(10), Qt::red));
   ChartSpec spec;
@@ -455,7 +455,7 @@ void ChartDataTest::stylesSingleAndSeveralRuns() {
   QCOMPARE(list.curves[0].style.color, QColor(Qt::red));
 }
 
-void ChartDataTest::readableColours() {
+void TestChartData::readableColours() {
   QPalette dark;
   dark.setColor(QPalette::Base, QColor(27, 30, 32));
   dark.setColor(QPalette::Text, Qt::white);
@@ -466,7 +466,7 @@ void ChartDataTest::readableColours() {
   QCOMPARE(ChartTheme::paper().readable(QColor(0, 114, 178)), QColor(0, 114, 178));
 }
 
-void ChartDataTest::specIsDescribed() {
+void TestChartData::specIsDescribed() {
   ChartSpec spec;
   schema::setFromText(schema::ref(spec), "kind", "xy");
   schema::setFromText(schema::ref(spec), "channels", "rotor*.thrust");
@@ -476,5 +476,5 @@ void ChartDataTest::specIsDescribed() {
   QVERIFY(spec.logY);
 }
 
-QTEST_GUILESS_MAIN(ChartDataTest)
-#include "chart_data_test.moc"
+QTEST_GUILESS_MAIN(TestChartData)
+#include "test_chart_data.moc"

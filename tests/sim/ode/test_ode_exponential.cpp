@@ -46,7 +46,7 @@ State run(const Motor& motor, const SolverSettings& settings, double end, State 
 
 }  // namespace
 
-class ExponentialTest : public QObject {
+class TestOdeExponential : public QObject {
   Q_OBJECT
  private slots:
   void phi_data() {
@@ -173,5 +173,5 @@ class ExponentialTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ExponentialTest)
-#include "exponential_test.moc"
+QTEST_APPLESS_MAIN(TestOdeExponential)
+#include "test_ode_exponential.moc"

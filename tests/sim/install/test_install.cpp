@@ -25,7 +25,7 @@ Outcome execute(const QString& program, const QStringList& arguments, const QStr
 
 }  // namespace
 
-class InstallTest : public QObject {
+class TestInstall : public QObject {
   Q_OBJECT
  private slots:
   void initTestCase();
@@ -42,7 +42,7 @@ class InstallTest : public QObject {
   QTemporaryDir folder_;
 };
 
-void InstallTest::initTestCase() {
+void TestInstall::initTestCase() {
   QVERIFY(folder_.isValid());
   qunsetenv("ROTORBENCH_RESOURCES");
   const auto done =
@@ -53,7 +53,7 @@ void InstallTest::initTestCase() {
   qputenv("XDG_DATA_HOME", path("home").toUtf8());
 }
 
-void InstallTest::shippedFilesAreThere_data() {
+void TestInstall::shippedFilesAreThere_data() {
   QTest::addColumn<QString>("file");
   for (const char* file :
        {"bin/rotorbench", "bin/rotorbench-cli",
@@ -67,19 +67,19 @@ void InstallTest::shippedFilesAreThere_data() {
   }
 }
 
-void InstallTest::shippedFilesAreThere() {
+void TestInstall::shippedFilesAreThere() {
   QFETCH(QString, file);
   QVERIFY(QFileInfo(path(file)).size() > 0);
 }
 
-void InstallTest::versionIsTheProjects() {
+void TestInstall::versionIsTheProjects() {
   const auto done = execute(path("bin/rotorbench-cli"), {"--version"}, folder_.path());
   QCOMPARE(done.code, 0);
   QCOMPARE(done.output.trimmed(), QString("rotorbench-cli " PROJECT_VERSION_TEXT));
 }
 
 /// The program finds the installed experiments, not those of the sources.
-void InstallTest::shippedExperimentsAreFound() {
+void TestInstall::shippedExperimentsAreFound() {
   const QDir shipped(SOURCE_DIR "/resources/experiments");
   const auto files = shipped.entryList({"*.json"}, QDir::Files);
   QVERIFY(files.size() >= 6);
@@ -95,7 +95,7 @@ void InstallTest::shippedExperimentsAreFound() {
   QVERIFY(done.output.contains("only-installed"));
 }
 
-void InstallTest::desktopFileIsValid() {
+void TestInstall::desktopFileIsValid() {
   const QString validator = QStandardPaths::findExecutable("desktop-file-validate");
   if (validator.isEmpty()) QSKIP("desktop-file-validate is not installed");
   const auto done =
@@ -103,7 +103,7 @@ void InstallTest::desktopFileIsValid() {
   QVERIFY2(done.code == 0 && done.output.isEmpty(), qPrintable(done.output));
 }
 
-void InstallTest::experimentsHaveAType() {
+void TestInstall::experimentsHaveAType() {
   const QMimeDatabase types;
   const auto type = types.mimeTypeForFile("hover.rotorbench.json", QMimeDatabase::MatchExtension);
   QCOMPARE(type.name(), QString("application/x-rotorbench-experiment+json"));
@@ -111,7 +111,7 @@ void InstallTest::experimentsHaveAType() {
   QVERIFY(types.mimeTypeForFile("other.json", QMimeDatabase::MatchExtension).name() != type.name());
 }
 
-void InstallTest::readmeExampleFlies() {
+void TestInstall::readmeExampleFlies() {
   QFile readme(SOURCE_DIR "/README.md");
   QVERIFY(readme.open(QIODevice::ReadOnly));
   const QString text = QString::fromUtf8(readme.readAll());
@@ -126,5 +126,5 @@ void InstallTest::readmeExampleFlies() {
   QVERIFY(done.output.contains("altitude_settling_time"));
 }
 
-QTEST_GUILESS_MAIN(InstallTest)
-#include "install_test.moc"
+QTEST_GUILESS_MAIN(TestInstall)
+#include "test_install.moc"

@@ -119,7 +119,7 @@ QString objection(const Include& include) {
 
 }  // namespace
 
-class StructureTest : public QObject {
+class TestStructure : public QObject {
   Q_OBJECT
  private slots:
   void roomsIncludeOnlyWhatTheyMay_data();
@@ -128,18 +128,19 @@ class StructureTest : public QObject {
   void simKnowsNoQt();
   void ourIncludesNameTheirRoom();
   void linesKeepToTheColumnLimit();
+  void testsAreNamedAlike();
   void plantedIncludesAreSeen_data();
   void plantedIncludesAreSeen();
   void theCheckSeesWhatIsForbidden_data();
   void theCheckSeesWhatIsForbidden();
 };
 
-void StructureTest::roomsIncludeOnlyWhatTheyMay_data() {
+void TestStructure::roomsIncludeOnlyWhatTheyMay_data() {
   QTest::addColumn<QString>("room");
   for (const QString& room : rules().keys()) QTest::addRow("%s", qPrintable(room)) << room;
 }
 
-void StructureTest::roomsIncludeOnlyWhatTheyMay() {
+void TestStructure::roomsIncludeOnlyWhatTheyMay() {
   QFETCH(QString, room);
   const auto includes = includesBelow(room);
   QVERIFY2(!includes.empty(), qPrintable(room + " has a rule and no files"));
@@ -150,7 +151,7 @@ void StructureTest::roomsIncludeOnlyWhatTheyMay() {
 }
 
 /// Every folder with files has a rule, and every rule a folder.
-void StructureTest::roomsAreTheFoldersThereAre() {
+void TestStructure::roomsAreTheFoldersThereAre() {
   const QDir top(SOURCE_DIR);
   for (const QString part : {"sim", "ui"}) {
     QDirIterator files(top.filePath(part), {"*.h", "*.cpp"}, QDir::Files,
@@ -166,7 +167,7 @@ void StructureTest::roomsAreTheFoldersThereAre() {
 }
 
 /// Text of documents inside raw strings apart.
-void StructureTest::linesKeepToTheColumnLimit() {
+void TestStructure::linesKeepToTheColumnLimit() {
   constexpr qsizetype kColumns = 100;
   const QDir top(SOURCE_DIR);
   for (const QString part : {"sim", "ui", "app", "tests"}) {
@@ -187,7 +188,32 @@ void StructureTest::linesKeepToTheColumnLimit() {
   }
 }
 
-void StructureTest::plantedIncludesAreSeen_data() {
+/// test_pid_flight.cpp holds the class TestPidFlight, and the room builds test_pid_flight of it.
+void TestStructure::testsAreNamedAlike() {
+  static const QRegularExpression runs("\\bQTEST_\\w*MAIN\\(|\\bQTest::qExec\\(");
+  const auto textOf = [](const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+  };
+  int count = 0;
+  QDirIterator files(QDir(SOURCE_DIR).filePath("tests"), {"*.cpp"}, QDir::Files,
+                     QDirIterator::Subdirectories);
+  while (files.hasNext()) {
+    const QFileInfo file(files.next());
+    const QString text = textOf(file.filePath()), stem = file.completeBaseName();
+    if (!runs.match(text).hasMatch()) continue;
+    ++count;
+    QString name;
+    for (const QString& word : stem.split('_')) name += word.left(1).toUpper() + word.mid(1);
+    QVERIFY2(stem.startsWith("test_"), qPrintable(stem + " does not begin with test_"));
+    QVERIFY2(text.contains("class " + name + " : "), qPrintable(stem + " has no class " + name));
+    QVERIFY2(textOf(file.dir().filePath("CMakeLists.txt")).contains("(" + stem + " "),
+             qPrintable("no program is called " + stem));
+  }
+  QVERIFY(count > 100);
+}
+
+void TestStructure::plantedIncludesAreSeen_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<QString>("target");
   QTest::addColumn<bool>("forbidden");
@@ -210,13 +236,13 @@ void StructureTest::plantedIncludesAreSeen_data() {
   row("the standard library", "sim/core/error.h", "string", false);
 }
 
-void StructureTest::plantedIncludesAreSeen() {
+void TestStructure::plantedIncludesAreSeen() {
   QFETCH(QString, file);
   QFETCH(QString, target);
   QTEST(!objection({file, target}).isEmpty(), "forbidden");
 }
 
-void StructureTest::simKnowsNoQt() {
+void TestStructure::simKnowsNoQt() {
   const auto includes = includesBelow("sim");
   QVERIFY(includes.size() > 50);
   for (const Include& include : includes) {
@@ -225,7 +251,7 @@ void StructureTest::simKnowsNoQt() {
 }
 
 /// Quoted includes start at the top folder, so that the rules above see all of them.
-void StructureTest::ourIncludesNameTheirRoom() {
+void TestStructure::ourIncludesNameTheirRoom() {
   static const QRegularExpression generated("(^|/)(moc_|ui_)|\\.moc$");
   for (const QString part : {"sim", "ui", "app"}) {
     for (const Include& include : includesBelow(part)) {
@@ -238,7 +264,7 @@ void StructureTest::ourIncludesNameTheirRoom() {
   }
 }
 
-void StructureTest::theCheckSeesWhatIsForbidden_data() {
+void TestStructure::theCheckSeesWhatIsForbidden_data() {
   QTest::addColumn<QString>("target");
   QTest::addColumn<bool>("qt");
   QTest::addRow("class header") << "QString" << true;
@@ -250,10 +276,10 @@ void StructureTest::theCheckSeesWhatIsForbidden_data() {
   QTest::addRow("Eigen") << "Eigen/Dense" << false;
 }
 
-void StructureTest::theCheckSeesWhatIsForbidden() {
+void TestStructure::theCheckSeesWhatIsForbidden() {
   QFETCH(QString, target);
   QTEST(isQt(target), "qt");
 }
 
-QTEST_GUILESS_MAIN(StructureTest)
-#include "structure_test.moc"
+QTEST_GUILESS_MAIN(TestStructure)
+#include "test_structure.moc"

@@ -16,7 +16,7 @@ using namespace rotorbench;
 using forms_test::FormFixture;
 using Bench = forms_test::Document;
 
-class FormTypingTest : public QObject {
+class TestFormTyping : public QObject {
   Q_OBJECT
 
  private slots:
@@ -40,12 +40,12 @@ class FormTypingTest : public QObject {
   void readersGetNames();
 };
 
-void FormTypingTest::cleanup() {
+void TestFormTyping::cleanup() {
   QLocale::setDefault(QLocale::c());
   QTRY_VERIFY(QApplication::topLevelWidgets().isEmpty());
 }
 
-void FormTypingTest::typedQuantities_data() {
+void TestFormTyping::typedQuantities_data() {
   QTest::addColumn<QLocale>("locale");
   QTest::addColumn<QString>("text");
   QTest::addColumn<double>("metres");
@@ -66,7 +66,7 @@ void FormTypingTest::typedQuantities_data() {
   QTest::addRow("at the bound") << c << "200" << 2.0 << "200";
 }
 
-void FormTypingTest::typedQuantities() {
+void TestFormTyping::typedQuantities() {
   QFETCH(QLocale, locale);
   QFETCH(QString, text);
   QFETCH(double, metres);
@@ -80,7 +80,7 @@ void FormTypingTest::typedQuantities() {
   QCOMPARE(f.stack().undoText(), QStringLiteral("Change Span to %1 cm").arg(shown));
 }
 
-void FormTypingTest::wrongTextKeepsTheDocument_data() {
+void TestFormTyping::wrongTextKeepsTheDocument_data() {
   QTest::addColumn<QString>("path");
   QTest::addColumn<QString>("text");
   QTest::addColumn<QString>("says");
@@ -128,7 +128,7 @@ void FormTypingTest::wrongTextKeepsTheDocument_data() {
                                   << "not a number";
 }
 
-void FormTypingTest::wrongTextKeepsTheDocument() {
+void TestFormTyping::wrongTextKeepsTheDocument() {
   QFETCH(QString, path);
   QFETCH(QString, text);
   QFETCH(QString, says);
@@ -148,7 +148,7 @@ void FormTypingTest::wrongTextKeepsTheDocument() {
   QTRY_VERIFY(f.sentence(row).isEmpty());
 }
 
-void FormTypingTest::escapeAndUndoTakeBackTyping() {
+void TestFormTyping::escapeAndUndoTakeBackTyping() {
   FormFixture f;
   f.type("span", "30");
   auto* span = f.find("span");
@@ -169,7 +169,7 @@ void FormTypingTest::escapeAndUndoTakeBackTyping() {
   QVERIFY(!f.model.hasErrors());
 }
 
-void FormTypingTest::wrongComponentStaysWhileOthersChange() {
+void TestFormTyping::wrongComponentStaysWhileOthersChange() {
   FormFixture f;
   f.type("start[0]", "oops");
   f.type("start[2]", "7");
@@ -181,7 +181,7 @@ void FormTypingTest::wrongComponentStaysWhileOthersChange() {
   QVERIFY(!f.model.hasErrors());
 }
 
-void FormTypingTest::everyEditorUndoes() {
+void TestFormTyping::everyEditorUndoes() {
   FormFixture f;
   f.type("title", "Stand");
   f.type("span", "40");
@@ -214,7 +214,7 @@ void FormTypingTest::everyEditorUndoes() {
   QVERIFY(f.document() == edited);
 }
 
-void FormTypingTest::arrowKeysAreOneStep() {
+void TestFormTyping::arrowKeysAreOneStep() {
   FormFixture f;
   auto* span = f.find("span");
   span->setFocus();
@@ -231,7 +231,7 @@ void FormTypingTest::arrowKeysAreOneStep() {
   QVERIFY(f.model.isClean());
 }
 
-void FormTypingTest::arrowKeysStopAtTheRange() {
+void TestFormTyping::arrowKeysStopAtTheRange() {
   FormFixture f;
   f.type("span", "199");
   auto* span = f.find("span");
@@ -242,7 +242,7 @@ void FormTypingTest::arrowKeysStopAtTheRange() {
   QVERIFY(!f.model.hasErrors());
 }
 
-void FormTypingTest::resetButtonGoesBack() {
+void TestFormTyping::resetButtonGoesBack() {
   FormFixture f;
   auto* reset = f.find<QToolButton>("span.reset");
   QVERIFY(!reset->isVisible());
@@ -256,7 +256,7 @@ void FormTypingTest::resetButtonGoesBack() {
   QCOMPARE(f.document().span, 0.4);
 }
 
-void FormTypingTest::unitsSwitchTogether() {
+void TestFormTyping::unitsSwitchTogether() {
   FormFixture f;
   f.panel->jumpTo("motors[0].arm");
   QCOMPARE(f.find("motors[0].arm")->text(), QString("22.5"));
@@ -283,7 +283,7 @@ void FormTypingTest::unitsSwitchTogether() {
   QTRY_VERIFY(QApplication::activePopupWidget() == nullptr);
 }
 
-void FormTypingTest::unitsAreRemembered() {
+void TestFormTyping::unitsAreRemembered() {
   QTemporaryDir folder;
   QSettings settings(folder.filePath("s.ini"), QSettings::IniFormat);
   const auto& field = *schema::typeOf<forms_test::Winding>().field("inductance");
@@ -295,7 +295,7 @@ void FormTypingTest::unitsAreRemembered() {
   QCOMPARE(UnitPreferences(&again).shownUnit(other), QString("Ohm"));
 }
 
-void FormTypingTest::wheelOverUnfocusedFieldsDoesNothing() {
+void TestFormTyping::wheelOverUnfocusedFieldsDoesNothing() {
   FormFixture f;
   f.find("title")->setFocus();
   const auto roll = [](QWidget* widget) {
@@ -315,7 +315,7 @@ void FormTypingTest::wheelOverUnfocusedFieldsDoesNothing() {
   QCOMPARE(f.document().span, 0.26);
 }
 
-void FormTypingTest::numbersAreShownShort_data() {
+void TestFormTyping::numbersAreShownShort_data() {
   QTest::addColumn<double>("metres");
   QTest::addColumn<QString>("shown");
   QTest::addRow("0.1 m") << 0.1 << "10";
@@ -325,7 +325,7 @@ void FormTypingTest::numbersAreShownShort_data() {
   QTest::addRow("2/3 m") << 2.0 / 3 << "66.66666666666666";
 }
 
-void FormTypingTest::numbersAreShownShort() {
+void TestFormTyping::numbersAreShownShort() {
   QFETCH(double, metres);
   QFETCH(QString, shown);
   Bench document;
@@ -339,7 +339,7 @@ void FormTypingTest::numbersAreShownShort() {
   QVERIFY(std::abs(f.document().span - metres) <= 3e-16);
 }
 
-void FormTypingTest::pendingTextIsCommittedOnRequest() {
+void TestFormTyping::pendingTextIsCommittedOnRequest() {
   FormFixture f;
   auto* span = f.find("span");
   span->setFocus();
@@ -350,7 +350,7 @@ void FormTypingTest::pendingTextIsCommittedOnRequest() {
   QCOMPARE(f.document().span, 0.44);
 }
 
-void FormTypingTest::readersGetNames() {
+void TestFormTyping::readersGetNames() {
   FormFixture f;
   QCOMPARE(f.find("span")->accessibleName(), QString("Span, in cm"));
   QCOMPARE(f.find("span")->accessibleDescription(), QString("Distance between opposite motors."));
@@ -362,5 +362,5 @@ void FormTypingTest::readersGetNames() {
   QCOMPARE(f.find<QLabel>("span.label")->text(), QString("Span&nbsp; <i>b</i>"));
 }
 
-QTEST_MAIN(FormTypingTest)
-#include "form_typing_test.moc"
+QTEST_MAIN(TestFormTyping)
+#include "test_form_typing.moc"

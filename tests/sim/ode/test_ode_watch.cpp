@@ -59,7 +59,7 @@ DenseQuality denseQuality(Method m, double h) {
 
 }  // namespace
 
-class WatchTest : public QObject {
+class TestOdeWatch : public QObject {
   Q_OBJECT
  private slots:
   void denseOutput_data() { methods(); }
@@ -233,5 +233,5 @@ class WatchTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(WatchTest)
-#include "watch_test.moc"
+QTEST_APPLESS_MAIN(TestOdeWatch)
+#include "test_ode_watch.moc"

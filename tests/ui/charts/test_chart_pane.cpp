@@ -81,7 +81,7 @@ bool close(double a, double b, double tolerance) {
 
 }  // namespace
 
-class ChartPaneTest : public QObject {
+class TestChartPane : public QObject {
   Q_OBJECT
 
  private slots:
@@ -108,7 +108,7 @@ class ChartPaneTest : public QObject {
   void darkPalette();
 };
 
-void ChartPaneTest::showsWhatThereIs() {
+void TestChartPane::showsWhatThereIs() {
   Bench b;
   const ChartFrame& frame = b.pane.plot()->frame();
   QCOMPARE(frame.curves.size(), std::size_t{4});
@@ -129,7 +129,7 @@ void ChartPaneTest::showsWhatThereIs() {
   QCOMPARE(b.pane.plot()->frame().y[1].title, QStringLiteral("x, error [m]"));
 }
 
-void ChartPaneTest::saysWhatToDoNext() {
+void TestChartPane::saysWhatToDoNext() {
   Bench b({}, false);
   QCOMPARE(b.pane.plot()->hint(),
            QStringLiteral("Drag channels here from the signal tree, or double-click one there."));
@@ -141,7 +141,7 @@ void ChartPaneTest::saysWhatToDoNext() {
   QCOMPARE(b.pane.plot()->hint(), QString());
 }
 
-void ChartPaneTest::fillsWhileWriting() {
+void TestChartPane::fillsWhileWriting() {
   auto recording = std::make_shared<Recording>(fixture::channels());
   Bench b(thrustSpec(), false);
   b.runs.add(fixture::run("1", recording));
@@ -170,7 +170,7 @@ void ChartPaneTest::fillsWhileWriting() {
   QVERIFY(close(b.x().high, 19.999, 1e-9));
 }
 
-void ChartPaneTest::wheelZoomsTimeAtThePointer() {
+void TestChartPane::wheelZoomsTimeAtThePointer() {
   Bench b;
   wheel(b.pane.plot(), at(b.pane, 0.25, 0.5), 1);
   b.settle();
@@ -182,7 +182,7 @@ void ChartPaneTest::wheelZoomsTimeAtThePointer() {
   QVERIFY(close(b.x().width(), 10, 1e-9));
 }
 
-void ChartPaneTest::wheelOverAnAxisZoomsThatAxis() {
+void TestChartPane::wheelOverAnAxisZoomsThatAxis() {
   Bench b({"", ChartKind::Time, "", "rotor1.thrust, position.x", false, false, false});
   const Span left = b.y(0);
   const Span right = b.y(1);
@@ -199,7 +199,7 @@ void ChartPaneTest::wheelOverAnAxisZoomsThatAxis() {
   QVERIFY(close(b.y(1).width(), right.width() * 0.64, 1e-9));
 }
 
-void ChartPaneTest::bandThenBackThenFit() {
+void TestChartPane::bandThenBackThenFit() {
   Bench b;
   drag(b.pane.plot(), Qt::LeftButton, at(b.pane, 0.2, 0.8), at(b.pane, 0.6, 0.4));
   b.settle();
@@ -228,7 +228,7 @@ void ChartPaneTest::bandThenBackThenFit() {
   QVERIFY(!b.link.cursor(Cursor::A));
 }
 
-void ChartPaneTest::thinBandZoomsOneAxis() {
+void TestChartPane::thinBandZoomsOneAxis() {
   Bench b;
   drag(b.pane.plot(), Qt::LeftButton, at(b.pane, 0.2, 0.5), at(b.pane, 0.6, 0.5));
   b.settle();
@@ -236,14 +236,14 @@ void ChartPaneTest::thinBandZoomsOneAxis() {
   QVERIFY(b.pane.view().y.empty());
 }
 
-void ChartPaneTest::panByMiddleOrShift_data() {
+void TestChartPane::panByMiddleOrShift_data() {
   QTest::addColumn<Qt::MouseButton>("button");
   QTest::addColumn<Qt::KeyboardModifiers>("keys");
   QTest::addRow("middle") << Qt::MiddleButton << Qt::KeyboardModifiers();
   QTest::addRow("shift and left") << Qt::LeftButton << Qt::KeyboardModifiers(Qt::ShiftModifier);
 }
 
-void ChartPaneTest::panByMiddleOrShift() {
+void TestChartPane::panByMiddleOrShift() {
   QFETCH(Qt::MouseButton, button);
   QFETCH(Qt::KeyboardModifiers, keys);
   Bench b;
@@ -257,7 +257,7 @@ void ChartPaneTest::panByMiddleOrShift() {
   QCOMPARE(b.x(), (Span{2, 6}));
 }
 
-void ChartPaneTest::linkedTimeAxes() {
+void TestChartPane::linkedTimeAxes() {
   Bench b;
   ChartPane other(&b.runs, &b.link);
   other.setSpec({"", ChartKind::Time, "", "error", false, true, false});
@@ -272,7 +272,7 @@ void ChartPaneTest::linkedTimeAxes() {
   QCOMPARE(b.x(), (Span{0, 10}));
 }
 
-void ChartPaneTest::followKeepsItsWidth() {
+void TestChartPane::followKeepsItsWidth() {
   Bench b;
   b.link.setTimeRange(Span{0, 2});
   b.link.setFollows(true);
@@ -283,7 +283,7 @@ void ChartPaneTest::followKeepsItsWidth() {
   QVERIFY(!b.link.follows());
 }
 
-void ChartPaneTest::cursorsReadThePreviousSample() {
+void TestChartPane::cursorsReadThePreviousSample() {
   RunSet runs;
   ChartLink link;
   ChartPane pane(&runs, &link);
@@ -308,7 +308,7 @@ void ChartPaneTest::cursorsReadThePreviousSample() {
   QVERIFY(pane.legend()->heads().isEmpty());
 }
 
-void ChartPaneTest::cursorDraggedAndMovedByKey() {
+void TestChartPane::cursorDraggedAndMovedByKey() {
   Bench b;
   b.link.setCursor(Cursor::A, 5.0);
   drag(b.pane.plot(), Qt::LeftButton, at(b.pane, 0.5, 0.5), at(b.pane, 0.8, 0.5));
@@ -320,7 +320,7 @@ void ChartPaneTest::cursorDraggedAndMovedByKey() {
   QVERIFY(close(*b.link.cursor(Cursor::A), before, 0.05));
 }
 
-void ChartPaneTest::xyChartMarksTheCursorTime() {
+void TestChartPane::xyChartMarksTheCursorTime() {
   Bench b({"", ChartKind::XY, "rotor1.thrust", "position.x", false, false, false});
   QCOMPARE(b.pane.plot()->frame().x.title, QStringLiteral("rotor1.thrust [N]"));
   QCOMPARE(b.y(), (Span{-20, 0}));
@@ -335,7 +335,7 @@ void ChartPaneTest::xyChartMarksTheCursorTime() {
   QVERIFY(before.copy(0, 0, 60, 300) == after.copy(0, 0, 60, 300));
 }
 
-void ChartPaneTest::legendHidesAndRemembers() {
+void TestChartPane::legendHidesAndRemembers() {
   Bench b;
   QTest::mouseClick(b.pane.legend()->items()[3], Qt::LeftButton);
   b.settle();
@@ -355,7 +355,7 @@ void ChartPaneTest::legendHidesAndRemembers() {
   QVERIFY(!b.pane.curves().curves[7].hidden);
 }
 
-void ChartPaneTest::channelsDroppedAndRemoved() {
+void TestChartPane::channelsDroppedAndRemoved() {
   Bench b;
   QSignalSpy edited(&b.pane, &ChartPane::specChanged);
   const auto data = channelMimeData({"position.x", "rotor2.thrust"});
@@ -383,7 +383,7 @@ void ChartPaneTest::channelsDroppedAndRemoved() {
   QCOMPARE(texts(b.pane).size(), 3);
 }
 
-void ChartPaneTest::titleEdited() {
+void TestChartPane::titleEdited() {
   Bench b;
   QSignalSpy edited(&b.pane, &ChartPane::specChanged);
   auto* title = b.pane.findChild<QLineEdit*>("chartTitle");
@@ -395,7 +395,7 @@ void ChartPaneTest::titleEdited() {
   QCOMPARE(b.pane.spec().title, std::string("Front rotors"));
 }
 
-void ChartPaneTest::logAxis() {
+void TestChartPane::logAxis() {
   Bench b({"", ChartKind::Time, "", "error", false, true, false});
   QCOMPARE(b.y(), (Span{1e-10, 1}));
   QStringList labels;
@@ -412,7 +412,7 @@ void ChartPaneTest::logAxis() {
   QCOMPARE(b.y(), (Span{-20, 0}));
 }
 
-void ChartPaneTest::germanLabels() {
+void TestChartPane::germanLabels() {
   const QLocale before;
   QLocale::setDefault(QLocale(QLocale::German, QLocale::Germany));
   {
@@ -427,7 +427,7 @@ void ChartPaneTest::germanLabels() {
   QLocale::setDefault(before);
 }
 
-void ChartPaneTest::darkPalette() {
+void TestChartPane::darkPalette() {
   Bench b;
   const QImage light = b.pane.plot()->grab().toImage();
   QVERIFY(light.pixelColor(1, 1).lightness() > 200);
@@ -440,5 +440,5 @@ void ChartPaneTest::darkPalette() {
   QCOMPARE(image.pixelColor(1, 1), QColor(27, 30, 32));
 }
 
-QTEST_MAIN(ChartPaneTest)
-#include "chart_pane_test.moc"
+QTEST_MAIN(TestChartPane)
+#include "test_chart_pane.moc"

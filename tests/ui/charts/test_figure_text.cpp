@@ -135,7 +135,7 @@ struct LongNames {
 
 }  // namespace
 
-class FigureTextTest : public QObject {
+class TestFigureText : public QObject {
   Q_OBJECT
 
  private slots:
@@ -150,7 +150,7 @@ class FigureTextTest : public QObject {
   QTemporaryDir folder_;
 };
 
-void FigureTextTest::shippedExperiments_data() {
+void TestFigureText::shippedExperiments_data() {
   QTest::addColumn<QString>("file");
   QTest::addColumn<bool>("twice");
   QDirIterator files(EXPERIMENTS_DIR, {"*.json"}, QDir::Files);
@@ -162,7 +162,7 @@ void FigureTextTest::shippedExperiments_data() {
   }
 }
 
-void FigureTextTest::shippedExperiments() {
+void TestFigureText::shippedExperiments() {
   QFETCH(QString, file);
   QFETCH(bool, twice);
   const Experiment experiment = loadExperiment(file.toStdString());
@@ -185,12 +185,12 @@ void FigureTextTest::shippedExperiments() {
   }
 }
 
-void FigureTextTest::overlaidRunsWithLongNames_data() {
+void TestFigureText::overlaidRunsWithLongNames_data() {
   QTest::addColumn<int>("count");
   for (const int count : {1, 4, 30}) QTest::addRow("%d", count) << count;
 }
 
-void FigureTextTest::overlaidRunsWithLongNames() {
+void TestFigureText::overlaidRunsWithLongNames() {
   QFETCH(int, count);
   const LongNames sheet(count);
   QCOMPARE(legendNames(sheet.pane()).size(), 2 * count);
@@ -201,7 +201,7 @@ void FigureTextTest::overlaidRunsWithLongNames() {
 }
 
 /// Of one channel the whole name stands at the axis.
-void FigureTextTest::longAxisTitles() {
+void TestFigureText::longAxisTitles() {
   RunSet runs;
   const std::string name = std::string(LongNames::kChannel) + ".of.a.rotor.in.fast.forward.flight";
   auto recording =
@@ -218,7 +218,7 @@ void FigureTextTest::longAxisTitles() {
     QVERIFY2(joined.contains(QString::fromStdString(title)), qPrintable(joined));
 }
 
-void FigureTextTest::reportDrawsTheSameFigures() {
+void TestFigureText::reportDrawsTheSameFigures() {
   const Experiment experiment = loadExperiment(EXPERIMENTS_DIR "/f450-hover-and-steps.json");
   const auto simulation = buildSimulation(experiment, EXPERIMENTS_DIR);
   simulation->advance(kShortRun);
@@ -236,5 +236,5 @@ void FigureTextTest::reportDrawsTheSameFigures() {
   }
 }
 
-QTEST_MAIN(FigureTextTest)
-#include "figure_text_test.moc"
+QTEST_MAIN(TestFigureText)
+#include "test_figure_text.moc"

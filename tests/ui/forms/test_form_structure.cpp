@@ -17,7 +17,7 @@ using forms_test::FormFixture;
 using forms_test::Gusty;
 using Bench = forms_test::Document;
 
-class FormStructureTest : public QObject {
+class TestFormStructure : public QObject {
   Q_OBJECT
 
  private slots:
@@ -40,11 +40,11 @@ class FormStructureTest : public QObject {
   void loadingAnotherDocumentRebuilds();
 };
 
-void FormStructureTest::cleanup() {
+void TestFormStructure::cleanup() {
   QTRY_VERIFY(QApplication::topLevelWidgets().isEmpty());
 }
 
-void FormStructureTest::everyFieldHasAnEditor() {
+void TestFormStructure::everyFieldHasAnEditor() {
   Bench document;
   document.wind = Gusty();
   FormFixture f(document);
@@ -64,7 +64,7 @@ void FormStructureTest::everyFieldHasAnEditor() {
   QVERIFY(leaves > 25);
 }
 
-void FormStructureTest::alternativesSwitchAndComeBack() {
+void TestFormStructure::alternativesSwitchAndComeBack() {
   Bench document;
   document.wind = Gusty{7.5, 42};
   FormFixture f(document);
@@ -81,7 +81,7 @@ void FormStructureTest::alternativesSwitchAndComeBack() {
   QCOMPARE(f.find<QComboBox>("wind")->currentText(), QString("Gusty wind"));
 }
 
-void FormStructureTest::advancedFieldsWaitBehindMore() {
+void TestFormStructure::advancedFieldsWaitBehindMore() {
   FormFixture f;
   QVERIFY(!f.find("tolerance")->isVisible());
   QTest::mouseClick(f.find<QToolButton>("more.bench"), Qt::LeftButton);
@@ -93,7 +93,7 @@ void FormStructureTest::advancedFieldsWaitBehindMore() {
   QTRY_VERIFY(f.find("tolerance")->hasFocus());
 }
 
-void FormStructureTest::listEntriesAddRemoveMove() {
+void TestFormStructure::listEntriesAddRemoveMove() {
   Bench document;
   document.motors[1].name = "M2";
   FormFixture f(document);
@@ -116,7 +116,7 @@ void FormStructureTest::listEntriesAddRemoveMove() {
   QCOMPARE(list->item(1)->text(), QString("M2"));
 }
 
-void FormStructureTest::tableCellsAreTyped() {
+void TestFormStructure::tableCellsAreTyped() {
   FormFixture f;
   f.panel->jumpTo("timeline[1].time");
   auto* table = f.find<QTableView>("timeline");
@@ -149,7 +149,7 @@ void FormStructureTest::tableCellsAreTyped() {
   QCOMPARE(table->model()->headerData(1, Qt::Horizontal).toString(), QString("Point x [m]"));
 }
 
-void FormStructureTest::tablePaste_data() {
+void TestFormStructure::tablePaste_data() {
   QTest::addColumn<QString>("text");
   QTest::addRow("tabs")
       << "0.5\t1\t2\t3\tEuler\ton\n1\t0\t0\t1\trk4\toff\n2\t4\t5\t6\tEuler\tyes\n";
@@ -159,7 +159,7 @@ void FormStructureTest::tablePaste_data() {
          "500 ms\t100 cm\t2\t3\teuler\ttrue\n1\t0\t0\t1\tRunge-Kutta 4\t0\n2\t4\t5\t6\tEuler\t1\n";
 }
 
-void FormStructureTest::tablePaste() {
+void TestFormStructure::tablePaste() {
   QFETCH(QString, text);
   FormFixture f;
   f.panel->jumpTo("timeline[0].time");
@@ -180,7 +180,7 @@ void FormStructureTest::tablePaste() {
   QCOMPARE(table->model()->rowCount(), 2);
 }
 
-void FormStructureTest::brokenPasteChangesNothing_data() {
+void TestFormStructure::brokenPasteChangesNothing_data() {
   QTest::addColumn<QString>("text");
   QTest::addColumn<QString>("says");
   QTest::addRow("word") << "0.5\t1\nx\t1"
@@ -196,7 +196,7 @@ void FormStructureTest::brokenPasteChangesNothing_data() {
                            << "no table on the clipboard";
 }
 
-void FormStructureTest::brokenPasteChangesNothing() {
+void TestFormStructure::brokenPasteChangesNothing() {
   QFETCH(QString, text);
   QFETCH(QString, says);
   FormFixture f;
@@ -209,7 +209,7 @@ void FormStructureTest::brokenPasteChangesNothing() {
   QVERIFY2(sentence.contains(says), qPrintable(sentence));
 }
 
-void FormStructureTest::searchFindsParameters_data() {
+void TestFormStructure::searchFindsParameters_data() {
   QTest::addColumn<QString>("words");
   QTest::addColumn<QStringList>("found");
   QTest::addRow("label") << "phase res"
@@ -223,7 +223,7 @@ void FormStructureTest::searchFindsParameters_data() {
   QTest::addRow("nothing") << "xyzzy" << QStringList{};
 }
 
-void FormStructureTest::searchFindsParameters() {
+void TestFormStructure::searchFindsParameters() {
   QFETCH(QString, words);
   QFETCH(QStringList, found);
   FormFixture f;
@@ -244,7 +244,7 @@ void FormStructureTest::searchFindsParameters() {
   QTRY_VERIFY(field->hasFocus());
 }
 
-void FormStructureTest::problemClickJumpsToTheField() {
+void TestFormStructure::problemClickJumpsToTheField() {
   Bench document;
   document.motors[1].winding.resistance = -1;
   FormFixture f(document);
@@ -267,7 +267,7 @@ void FormStructureTest::problemClickJumpsToTheField() {
   QVERIFY(problems.findChild<QLabel*>("noProblems")->isVisible());
 }
 
-void FormStructureTest::rulesOverSeveralFieldsShowTheirSentence() {
+void TestFormStructure::rulesOverSeveralFieldsShowTheirSentence() {
   FormFixture f;
   f.type("low", "3");
   QCOMPARE(f.document().low, 3.0);
@@ -276,7 +276,7 @@ void FormStructureTest::rulesOverSeveralFieldsShowTheirSentence() {
   QTRY_COMPARE(f.sentence("low"), QString());
 }
 
-void FormStructureTest::linksAndTreeAgree() {
+void TestFormStructure::linksAndTreeAgree() {
   FormFixture f;
   QTest::mouseClick(f.find<QPushButton>("motors"), Qt::LeftButton);
   QTRY_COMPARE(f.find<QLabel>("formTitle")->text(), QString("Motors"));
@@ -291,7 +291,7 @@ void FormStructureTest::linksAndTreeAgree() {
   QTRY_COMPARE(f.find<QLabel>("formTitle")->text(), QString("Motors"));
 }
 
-void FormStructureTest::helpTableNamesEveryField() {
+void TestFormStructure::helpTableNamesEveryField() {
   const QString html = parameterTableHtml(schema::typeOf<Bench>());
   for (const char* text :
        {"Phase resistance", "<i>R</i><sub>a</sub>", "Ω", "0.117 Ω", "25 cm",
@@ -301,7 +301,7 @@ void FormStructureTest::helpTableNamesEveryField() {
   }
 }
 
-void FormStructureTest::loadingAnotherDocumentRebuilds() {
+void TestFormStructure::loadingAnotherDocumentRebuilds() {
   FormFixture f;
   f.panel->jumpTo("motors[1].mass");
   Bench other;
@@ -312,5 +312,5 @@ void FormStructureTest::loadingAnotherDocumentRebuilds() {
   QVERIFY(f.find("motors[1].mass") == nullptr);
 }
 
-QTEST_MAIN(FormStructureTest)
-#include "form_structure_test.moc"
+QTEST_MAIN(TestFormStructure)
+#include "test_form_structure.moc"

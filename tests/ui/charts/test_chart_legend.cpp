@@ -65,7 +65,7 @@ bool isPainted(const QImage& image, const QRect& part) {
 
 }  // namespace
 
-class ChartLegendTest : public QObject {
+class TestChartLegend : public QObject {
   Q_OBJECT
 
  private slots:
@@ -208,5 +208,5 @@ class ChartLegendTest : public QObject {
   }
 };
 
-QTEST_MAIN(ChartLegendTest)
-#include "chart_legend_test.moc"
+QTEST_MAIN(TestChartLegend)
+#include "test_chart_legend.moc"

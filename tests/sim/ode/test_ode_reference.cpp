@@ -101,7 +101,7 @@ void arenstorf(double, const State4& y, State4& d) {
 
 }  // namespace
 
-class ReferenceTest : public QObject {
+class TestOdeReference : public QObject {
   Q_OBJECT
  private slots:
   void detestProblem_data() {
@@ -189,5 +189,5 @@ class ReferenceTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ReferenceTest)
-#include "reference_test.moc"
+QTEST_APPLESS_MAIN(TestOdeReference)
+#include "test_ode_reference.moc"

@@ -58,7 +58,7 @@ SolverSettings thesis(Method method) {
 
 }  // namespace
 
-class ThesisSolversTest : public QObject {
+class TestOdeThesisSolvers : public QObject {
   Q_OBJECT
  private slots:
   void experiment1_data() {
@@ -113,5 +113,5 @@ class ThesisSolversTest : public QObject {
   }
 };
 
-QTEST_APPLESS_MAIN(ThesisSolversTest)
-#include "thesis_solvers_test.moc"
+QTEST_APPLESS_MAIN(TestOdeThesisSolvers)
+#include "test_ode_thesis_solvers.moc"

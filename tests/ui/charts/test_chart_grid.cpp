@@ -43,7 +43,7 @@ QStringList shownTexts(const QTreeView& view) {
 
 }  // namespace
 
-class ChartGridTest : public QObject {
+class TestChartGrid : public QObject {
   Q_OBJECT
 
  private slots:
@@ -62,7 +62,7 @@ class ChartGridTest : public QObject {
   void treeDragsGroups();
 };
 
-void ChartGridTest::emptyStateAddsAChart() {
+void TestChartGrid::emptyStateAddsAChart() {
   RunSet runs;
   ChartGrid grid(&runs);
   grid.resize(600, 400);
@@ -79,7 +79,7 @@ void ChartGridTest::emptyStateAddsAChart() {
   QCOMPARE(changed.size(), 2);
 }
 
-void ChartGridTest::specsGoInAndOut() {
+void TestChartGrid::specsGoInAndOut() {
   RunSet runs;
   ChartGrid grid(&runs);
   QSignalSpy changed(&grid, &ChartGrid::specsChanged);
@@ -90,7 +90,7 @@ void ChartGridTest::specsGoInAndOut() {
   QCOMPARE(changed.size(), 0);
 }
 
-void ChartGridTest::samePanesKeepTheirView() {
+void TestChartGrid::samePanesKeepTheirView() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(100)));
   ChartGrid grid(&runs);
@@ -104,7 +104,7 @@ void ChartGridTest::samePanesKeepTheirView() {
   QCOMPARE(first->view().y.at("N"), (Span{0, 3}));
 }
 
-void ChartGridTest::splitRemoveMaximize() {
+void TestChartGrid::splitRemoveMaximize() {
   RunSet runs;
   ChartGrid grid(&runs);
   grid.setSpecs(specs(2));
@@ -136,7 +136,7 @@ void ChartGridTest::splitRemoveMaximize() {
   QVERIFY(first->isVisible());
 }
 
-void ChartGridTest::liveWhileWriting() {
+void TestChartGrid::liveWhileWriting() {
   RunSet runs;
   ChartGrid grid(&runs);
   grid.setSpecs(specs(4));
@@ -166,7 +166,7 @@ void ChartGridTest::liveWhileWriting() {
   writer.join();
 }
 
-void ChartGridTest::runOutsideTheViewIsBroughtIn_data() {
+void TestChartGrid::runOutsideTheViewIsBroughtIn_data() {
   QTest::addColumn<double>("end");
   QTest::addColumn<bool>("yZoom");
   QTest::addColumn<bool>("timeKept");
@@ -179,7 +179,7 @@ void ChartGridTest::runOutsideTheViewIsBroughtIn_data() {
 }
 
 /// A view of 8 s to 18 s, in one chart also of 15 N to 19 N; thrust of the runs is 1 N + 1 N/s t.
-void ChartGridTest::runOutsideTheViewIsBroughtIn() {
+void TestChartGrid::runOutsideTheViewIsBroughtIn() {
   QFETCH(double, end);
   QFETCH(bool, yZoom);
   QFETCH(bool, timeKept);
@@ -205,7 +205,7 @@ void ChartGridTest::runOutsideTheViewIsBroughtIn() {
   QTRY_VERIFY(first->view() == view);  // as any other zoom
 }
 
-void ChartGridTest::unfinishedRunMovesNothing() {
+void TestChartGrid::unfinishedRunMovesNothing() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(101, 20)));
   ChartGrid grid(&runs);
@@ -223,7 +223,7 @@ void ChartGridTest::unfinishedRunMovesNothing() {
   QTRY_VERIFY(!grid.link()->timeRange().has_value());
 }
 
-void ChartGridTest::timeCursorBothWays() {
+void TestChartGrid::timeCursorBothWays() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(100)));
   ChartGrid grid(&runs);
@@ -244,7 +244,7 @@ void ChartGridTest::timeCursorBothWays() {
   QVERIFY(std::abs(moved[0][0].toDouble() - 5) < 0.05);
 }
 
-void ChartGridTest::treeSplitsSearchesAndAdds() {
+void TestChartGrid::treeSplitsSearchesAndAdds() {
   RunSet runs;
   SignalTree tree(&runs);
   tree.resize(300, 500);
@@ -271,7 +271,7 @@ void ChartGridTest::treeSplitsSearchesAndAdds() {
   QCOMPARE(activated.size(), 2);
 }
 
-void ChartGridTest::treeKeepsItsShapeOnRerun() {
+void TestChartGrid::treeKeepsItsShapeOnRerun() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(10)));
   SignalTree tree(&runs);
@@ -289,7 +289,7 @@ void ChartGridTest::treeKeepsItsShapeOnRerun() {
   QCOMPARE(shownTexts(*tree.view()), before);
 }
 
-void ChartGridTest::treeDragsGroups() {
+void TestChartGrid::treeDragsGroups() {
   RunSet runs;
   runs.add(fixture::run("1", fixture::ramp(10)));
   SignalTree tree(&runs);
@@ -300,5 +300,5 @@ void ChartGridTest::treeDragsGroups() {
   QCOMPARE(channelsIn(data.get()), (QStringList{"rotor1.thrust", "error"}));
 }
 
-QTEST_MAIN(ChartGridTest)
-#include "chart_grid_test.moc"
+QTEST_MAIN(TestChartGrid)
+#include "test_chart_grid.moc"
