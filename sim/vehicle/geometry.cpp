@@ -32,7 +32,7 @@ std::vector<schema::Named<Spin>> spins() {
 
 template <class P>
 void describeRing(schema::Builder<P>& b, const char* armSource, const char* firstHelp) {
-  b.choice("count", &P::count, "Rotors",
+  b.choice("count", &P::count, "Number of rotors",
            std::vector<schema::Named<RingCount>>{
                {RingCount::Four, "quad", "4 (quadrotor)", "Every 90 degrees."},
                {RingCount::Six, "hexa", "6 (hexarotor)", "Every 60 degrees."},

@@ -185,7 +185,9 @@ void Describe<FlightStart>::fields(schema::Builder<FlightStart>& b) {
   b.choice(
       "rotors", &P::rotors, "Rotors",
       std::vector<schema::Named<RotorStart>>{
-          {RotorStart::Hover, "hover", "Hovering", "At the speeds that carry the vehicle at rest."},
+          {RotorStart::Hover, "hover", "Hovering",
+           "At the speeds that carry the vehicle at rest in still air, and at the tilt it hovers "
+           "at unless roll or pitch are given."},
           {RotorStart::Stopped, "stopped", "Stopped", "All rotors at rest."},
           {RotorStart::Given, "given", "At a given speed", "All rotors at the speed below."}});
   b.number("rotorSpeed", &P::rotorSpeed, "Rotor speed", "\u03a9", "rad/s")

@@ -127,6 +127,42 @@ class TestShippedExperiments : public QObject {
              "saturates for long");
   }
 
+  /// Six and eight rotors fly the flagship's timeline with the same controller, whose gains are those
+  /// of poles: what they settle in is what it settles in, though one vehicle has ten times its mass.
+  void otherCountsSettleAlike_data() {
+    QTest::addColumn<std::string>("name");
+    QTest::addRow("hexacopter") << std::string("hexacopter-hover-and-steps");
+    QTest::addRow("octocopter") << std::string("octocopter-hover-and-steps");
+  }
+  void otherCountsSettleAlike() {
+    QFETCH(std::string, name);
+    const MetricTable flagship = flown("f450-hover-and-steps").metrics();
+    const MetricTable table = flown(name).metrics();
+    QVERIFY(figure(table, "Flight", "altitude_rest_error") < 2e-3);
+    for (const char* axis : {"altitude", "roll", "pitch"}) {
+      const std::string settling = std::string(axis) + "_settling_time";
+      const double ratio =
+          figure(table, "Flight", settling) / figure(flagship, "Flight", settling);
+      QVERIFY2(std::abs(ratio - 1) < 0.05, qPrintable(QString("%1: %2").arg(axis).arg(ratio)));
+      QVERIFY(figure(table, "Flight", std::string(axis) + "_overshoot") < 0.02);
+    }
+    // Yaw is the weak axis: what the rotors' torques can do differs from vehicle to vehicle.
+    QVERIFY(figure(table, "Flight", "yaw_settling_time") < 3.5);
+    QVERIFY(flown(name).verdicts().empty());
+  }
+
+  /// The wind carries along what does not hold its place.
+  void windCarriesTheVehicle() {
+    const Recording& r = *flown("f450-in-the-wind").runs().front().recording;
+    const std::size_t last = r.rows() - 1;
+    const auto end = [&](const char* name) { return r.value(*r.find(name), last); };
+    // The law of the file at 3 m: 6 m/s ln(3/0.03)/ln(10/0.03).
+    QVERIFY(std::abs(end("wind.x") - 6 * std::log(100) / std::log(10 / 0.03)) < 1e-4);
+    QVERIFY(end("velocity.x") > 0.5 * end("wind.x") && end("velocity.x") < 6);
+    QVERIFY(std::abs(end("position.y")) < 1e-9);
+    QVERIFY(std::abs(end("position.z") - 3) < 1e-3);
+  }
+
   /// Left alone at its set-point the F450 stays where it is: hover is an equilibrium of plant and
   /// controller.
   void flagshipHoversStill() {

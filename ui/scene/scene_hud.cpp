@@ -56,11 +56,12 @@ void addGridNumbers(SceneHud& hud, const SceneStage& stage, const Projector& pro
   }
 }
 
-/// The speed of the wind at the tail of its arrow.
+/// The speed of the wind above its arrow.
 void addWind(SceneHud& hud, const SceneStage& stage, const Projector& project) {
   const WindArrow arrow = windArrow(*stage.model(), stage.pose());
   if (!(arrow.length > 0)) return;
-  const auto at = project(arrow.tail + Eigen::Vector3d(0, 0, 0.12 * stage.size().radius));
+  const Eigen::Vector3d middle = arrow.tail + 0.5 * arrow.length * arrow.direction;
+  const auto at = project(middle + Eigen::Vector3d(0, 0, 0.2 * stage.size().radius));
   if (!at) return;
   hud.labels.push_back({{at->x, at->y},
                         tr("wind %1 m/s").arg(number(arrow.speed, 1)),

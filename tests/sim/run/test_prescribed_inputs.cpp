@@ -10,11 +10,11 @@
 
 using namespace rotorbench;
 using Eigen::Vector4d;
-using Signal = InputSignal<Vector4d>;
+using FourSignal = InputSignal<Vector4d>;
 
 namespace {
 
-Signal sampleSignal(Interpolation interpolation) {
+FourSignal sampleSignal(Interpolation interpolation) {
   return {{{1.0, Vector4d(1, 2, 3, 4)},
            {2.0, Vector4d(3, 2, 1, 0)},
            {4.0, Vector4d(7, 2, 1, -4)},
@@ -98,7 +98,7 @@ void TestPrescribedInputs::betweenSamples() {
 /// A signal asked forwards, backwards and to and fro says the same as one asked for the first time.
 void TestPrescribedInputs::anyOrderOfTimes() {
   for (const auto interpolation : {Interpolation::Hold, Interpolation::Linear}) {
-    Signal signal = sampleSignal(interpolation);
+    FourSignal signal = sampleSignal(interpolation);
     for (const double t : {0.0, 1.5, 4.2, 5.0, 4.2, 3.0, 1.0, 0.5, 4.5, 1.99, 2.0, 1.99}) {
       QCOMPARE(signal.at(t), sampleSignal(interpolation).at(t));
     }
