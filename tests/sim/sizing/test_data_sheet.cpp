@@ -13,6 +13,7 @@
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/drive_point.h"
 #include "sim/vehicle/multirotor.h"
+#include "tests/sim/run/quick_map.h"
 
 using namespace rotorbench;
 
@@ -295,6 +296,7 @@ class TestDataSheet : public QObject {
     if (propeller == 2) sheet.propeller = StaticTable{};
     applyDataSheet(sheet, experiment);
     QVERIFY(schema::validate(schema::ref(experiment)).empty());
+    experiment = test::withQuickMaps(experiment);
     const auto& flight = alternative<Flight>(experiment.setup);
     const Multirotor<4> vehicle(buildMultirotor<4>(flight.vehicle, flight.environment));
     const auto speeds = vehicle.hoverSpeeds();
