@@ -156,8 +156,10 @@ class TestDataSheet : public QObject {
     const double power = value(figures, "hover.totalPower");
     qInfo("rpm %+.1f %%, power %+.1f %%", 100 * (speed / rpm - 1),
           100 * (power / (voltage * current) - 1));
-    QVERIFY(near(speed, rpm, 0.08));
-    QVERIFY(near(power, voltage * current, 0.12));
+    // Blade elements that know nothing of this stand turn 4 to 5 % faster for the thrust, and the
+    // published constants of the motor ask for 4 to 8 % less power.
+    QVERIFY(near(speed, rpm, 0.06));
+    QVERIFY(near(power, voltage * current, 0.08));
   }
 
   /// Rows of the table are met exactly, and the thrust between them lies between them.
