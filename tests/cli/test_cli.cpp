@@ -190,8 +190,9 @@ class TestCli : public QObject {
     QCOMPARE(measured.code, 0);
     QVERIFY(measured.out.contains("most_measured_advance_ratio"));
     QVERIFY(measured.out.contains("beyond_measured_share"));
-    const Outcome both = cli({"run", shipped("propeller-bench-10x47"), "--set",
-                              "setup.propeller.type=map", "--set", "setup.second.type=measured"});
+    const Outcome both =
+        cli({"run", shipped("propeller-bench-10x47"), "--set", "setup.propeller.type=map", "--set",
+             "setup.second.type=measured", "--set", "setup.propeller.map.sideRefinements=0"});
     QCOMPARE(both.code, 0);
     QVERIFY(both.out.contains("Run, propeller map"));
     QVERIFY(both.out.contains("Run, measured propeller"));

@@ -8,6 +8,7 @@
 #include "sim/document/flight.h"
 #include "sim/run/preflight.h"
 #include "sim/run/simulation.h"
+#include "tests/sim/run/quick_map.h"
 #include "tests/validation/run_experiment.h"
 
 using namespace rotorbench;
@@ -43,8 +44,8 @@ class TestBatteryFlight : public QObject {
   void everyModelFlies() {
     QFETCH(int, model);
     Experiment e = shipped("battery-flight");
-    const RotorAerodynamics models[] = {PropellerCoefficients{}, MeasuredPropeller{},
-                                        MapPropeller{}, BladeElementPropeller{}};
+    const RotorAerodynamics models[] = {PropellerCoefficients{}, MeasuredPropeller{}, quickMap(),
+                                        BladeElementPropeller{}};
     rotorOf(e).aerodynamics = models[model];
     Flight& flight = flightOf(e);
     // Blade elements solved in every derivative are slow: a glance.
@@ -67,7 +68,7 @@ class TestBatteryFlight : public QObject {
   /// Energy and charge of the metrics are those of the state; the time left is what a longer flight
   /// finds.
   void figuresOfTheBattery() {
-    Experiment e = shipped("battery-flight");
+    Experiment e = withQuickMaps(shipped("battery-flight"));
     Flight& flight = flightOf(e);
     auto& battery = std::get<BatteryParameters>(flight.vehicle.supply);
     battery.capacity = 200 * 3.6;

@@ -10,6 +10,7 @@
 #include "sim/run/simulation.h"
 #include "sim/scene/scene_model.h"
 #include "tests/sim/run/finished_run.h"
+#include "tests/sim/run/quick_map.h"
 
 using namespace rotorbench;
 using namespace rotorbench::test;
@@ -76,7 +77,7 @@ class TestBenchModels : public QObject {
     bench.speeds = {{0, 100}, {0.3, 800}};
     bench.stream = StreamProfile{{{0, 0}, {0.3, 5}}, Interpolation::Linear};
     bench.run = {.tick = 5e-3, .duration = 0.3};
-    bench.second = MapPropeller{};
+    bench.second = quickMap();
     const auto simulation = finished(experimentOf(bench));
     const double thrust = figure(*simulation, "static_thrust");
     const double torque = figure(*simulation, "static_torque");
@@ -297,7 +298,7 @@ class TestBenchModels : public QObject {
   void runsAreThoseOfTheModel() {
     QFETCH(int, model);
     PropellerBench bench;
-    const BenchPropeller models[] = {BladeElementSpecimen{}, MapPropeller{}, MeasuredPropeller{},
+    const BenchPropeller models[] = {BladeElementSpecimen{}, quickMap(), MeasuredPropeller{},
                                      PropellerCoefficients{}, RotorCoefficients{}};
     bench.propeller = models[model];
     const auto simulation = finished(experimentOf(bench));
@@ -377,7 +378,7 @@ class TestBenchModels : public QObject {
     QFETCH(double, speed);
     QFETCH(double, stream);
     PropellerBench bench;
-    bench.propeller = MapPropeller{};
+    bench.propeller = quickMap();
     bench.second = MeasuredPropeller{};
     bench.airDensity = density;
     bench.speeds = {{0, speed}};

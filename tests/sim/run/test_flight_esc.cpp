@@ -13,6 +13,7 @@
 #include "sim/run/preflight.h"
 #include "sim/run/simulation.h"
 #include "tests/sim/run/finished_run.h"
+#include "tests/sim/run/quick_map.h"
 #include "tests/validation/run_experiment.h"
 
 using namespace rotorbench;
@@ -45,7 +46,7 @@ Experiment voltageFlight(const EscParameters& esc) {
 
 /// A shipped flight of `seconds` with its rotors' speed controllers changed.
 Experiment shippedWith(const char* name, const EscParameters& esc, double seconds) {
-  Experiment e = shipped(name);
+  Experiment e = withQuickMaps(shipped(name));
   rotorOf(e).esc = esc;
   flightOf(e).duration = seconds;
   return e;

@@ -8,6 +8,7 @@
 #include "sim/document/flight.h"
 #include "sim/document/solver_comparison.h"
 #include "sim/run/simulation.h"
+#include "tests/sim/run/quick_map.h"
 
 using namespace rotorbench;
 
@@ -93,7 +94,7 @@ void TestSimulation::progressRisesToOne_data() {
 
 void TestSimulation::progressRisesToOne() {
   QFETCH(QString, file);
-  Experiment experiment = shipped(qPrintable(file));
+  Experiment experiment = test::withQuickMaps(shipped(qPrintable(file)));
   std::visit(
       [](auto& setup) {
         if constexpr (requires { setup.run.duration; }) {

@@ -13,6 +13,7 @@
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/drive_point.h"
 #include "sim/vehicle/multirotor.h"
+#include "tests/sim/run/quick_map.h"
 
 using namespace rotorbench;
 
@@ -155,8 +156,10 @@ class TestDataSheet : public QObject {
     const double power = value(figures, "hover.totalPower");
     qInfo("rpm %+.1f %%, power %+.1f %%", 100 * (speed / rpm - 1),
           100 * (power / (voltage * current) - 1));
-    QVERIFY(near(speed, rpm, 0.08));
-    QVERIFY(near(power, voltage * current, 0.12));
+    // Blade elements that know nothing of this stand turn 4 to 5 % faster for the thrust, and the
+    // published constants of the motor ask for 4 to 8 % less power.
+    QVERIFY(near(speed, rpm, 0.06));
+    QVERIFY(near(power, voltage * current, 0.08));
   }
 
   /// Rows of the table are met exactly, and the thrust between them lies between them.
@@ -295,6 +298,7 @@ class TestDataSheet : public QObject {
     if (propeller == 2) sheet.propeller = StaticTable{};
     applyDataSheet(sheet, experiment);
     QVERIFY(schema::validate(schema::ref(experiment)).empty());
+    experiment = test::withQuickMaps(experiment);
     const auto& flight = alternative<Flight>(experiment.setup);
     const Multirotor<4> vehicle(buildMultirotor<4>(flight.vehicle, flight.environment));
     const auto speeds = vehicle.hoverSpeeds();

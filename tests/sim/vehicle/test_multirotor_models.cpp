@@ -6,6 +6,7 @@
 
 #include "sim/run/plant_handle.h"
 #include "sim/vehicle/multirotor.h"
+#include "tests/sim/run/quick_map.h"
 
 using namespace rotorbench;
 using Eigen::Vector3d;
@@ -18,7 +19,7 @@ const std::vector<std::pair<const char*, RotorAerodynamics>>& models() {
   static const std::vector<std::pair<const char*, RotorAerodynamics>> all = {
       {"lumped", PropellerCoefficients{.inflow = {1e-4, 2e-4, 3e-3, 1e-5}}},
       {"measured", MeasuredPropeller{.inPlane = {1e-4, 3e-3, 1e-5}}},
-      {"map", MapPropeller{}},
+      {"map", test::quickMap()},
       {"blade-element", BladeElementPropeller{}}};
   return all;
 }
@@ -83,7 +84,7 @@ class TestMultirotorModels : public QObject {
   void plantEqualsBench() {
     const BladeElementRotor bench{PropellerGeometry{}};
     const Plant solved(buildMultirotor<4>(vehicle(BladeElementPropeller{}), {}));
-    const Plant mapped(buildMultirotor<4>(vehicle(MapPropeller{}), {}));
+    const Plant mapped(buildMultirotor<4>(vehicle(test::quickMap()), {}));
     auto y = solved.initialState({});
     y.segment<3>(L::kVelocity) = Vector3d(0, 0, 2.5);
     y.head<4>() << 400, 480, 560, 640;
@@ -214,7 +215,7 @@ class TestMultirotorModels : public QObject {
     const RotorParameters base = std::get<EqualRotors>(v.rotors).rotor;
     IndividualRotors rotors{std::vector<RotorParameters>(4, base)};
     rotors.rotors[1].aerodynamics = MeasuredPropeller{};
-    rotors.rotors[2].aerodynamics = MapPropeller{};
+    rotors.rotors[2].aerodynamics = test::quickMap();
     v.rotors = rotors;
     const Plant plant(buildMultirotor<4>(v, {}));
     Plant::State d;

@@ -10,6 +10,7 @@
 #include "placed_texts.h"
 #include "sim/document/experiment_file.h"
 #include "sim/run/simulation.h"
+#include "tests/sim/run/quick_map.h"
 #include "ui/charts/chart_grid.h"
 #include "ui/charts/chart_pane.h"
 #include "ui/charts/export_figure.h"
@@ -165,7 +166,7 @@ void TestFigureText::shippedExperiments_data() {
 void TestFigureText::shippedExperiments() {
   QFETCH(QString, file);
   QFETCH(bool, twice);
-  const Experiment experiment = loadExperiment(file.toStdString());
+  const Experiment experiment = test::withQuickMaps(loadExperiment(file.toStdString()));
   const auto simulation = buildSimulation(experiment, EXPERIMENTS_DIR);
   simulation->advance(kShortRun);
   RunSet set;

@@ -100,8 +100,8 @@ class TestMeasuredPropeller : public QObject {
   }
 
   /// The parked propeller of the extrapolation is the mean of blade elements over 101 propellers,
-  /// written with two digits. (One propeller is off by more: their standard deviation is 36 % of the
-  /// mean thrust and 45 % of the mean torque.)
+  /// written with two digits. (One propeller is off by more: their standard deviation is 36 % of
+  /// the mean thrust and 45 % of the mean torque.)
   void parkedValuesAreThoseOfBladeElements() {
     double thrust = 0, torque = 0, count = 0;
     for (const auto& set : uiuc::sets()) {
