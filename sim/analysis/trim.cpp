@@ -15,7 +15,8 @@ constexpr double kConverged = 1e-12;  // accelerations over g
 constexpr double kAccepted = 1e-7;    // where rounding or a table's kinks allow no better
 constexpr double kLeastStep = 1e-3;   // of Newton's
 
-/// The equations of steady flight over any scalar. Unknowns: rotor speeds over a scale, roll, pitch.
+/// The equations of steady flight over any scalar. Unknowns: rotor speeds over a scale, roll and
+/// pitch.
 template <int N>
 class Balance {
  public:

@@ -140,8 +140,8 @@ class Type {
   std::vector<Field> fields;
   /// A rule over several members of this struct; the path of a problem is relative to the struct.
   std::vector<std::function<void(const void* object, std::vector<Problem>&)>> checks;
-  /// Members whose shape follows from others of the struct (as many inputs as rotors). Whoever edits
-  /// by hand lets them follow; a file must say what it means.
+  /// Members whose shape follows from others of the struct (as many inputs as rotors). Whoever
+  /// edits by hand lets them follow; a file must say what it means.
   struct Follower {
     std::function<bool(const void* object)> fits;
     std::string

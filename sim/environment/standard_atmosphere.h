@@ -20,8 +20,8 @@ inline constexpr double kEarthRadius = 6356766;       ///< m, of geopotential al
 inline constexpr double kLow = -5000, kHigh = 20000;  ///< m: the formulas hold between these
 }  // namespace isa
 
-/// Density in kg/m^3 of air that is `warmer` K warmer than the standard at the same pressure. Beyond
-/// isa::kLow and isa::kHigh that of the nearer of the two. Any scalar.
+/// Density in kg/m^3 of air that is `warmer` K warmer than the standard at the same pressure.
+/// Beyond isa::kLow and isa::kHigh that of the nearer of the two. Any scalar.
 template <class S>
 [[nodiscard]] S standardDensity(const S& altitude, double warmer = 0) {
   using std::exp;

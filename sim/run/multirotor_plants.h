@@ -8,7 +8,7 @@
 
 namespace rotorbench {
 
-/// The plant of a flight whose vehicle has N rotors. Throws InputError with paths below the vehicle.
+/// The plant of a vehicle with N rotors. Throws InputError with paths below the vehicle.
 template <int N>
 std::unique_ptr<PlantHandle> makeMultirotor(const Flight& flight, RotorDrive drive);
 

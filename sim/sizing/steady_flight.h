@@ -1,5 +1,5 @@
-// Steady level flight of a multirotor (sim/analysis/trim.h) in still air, and the electrical side of
-// it. SI units; flight along x of the inertial frame, yaw 0.
+// Steady level flight of a multirotor (sim/analysis/trim.h) in still air, and the electrical side
+// of it. SI units; flight along x of the inertial frame, yaw 0.
 #pragma once
 
 #include <optional>

@@ -1,7 +1,7 @@
-// Where the rotors of a multirotor sit: four, six or eight of them. Body axes: x forward (to the front rotor of a plus, between
-// the two front rotors of a cross), y left, z up. Rotors are numbered from the front,
-// counter-clockwise seen from above; spin +1 turns counter-clockwise seen against the thrust axis
-// (from above), and neighbours turn oppositely: plus layout, first rotor +1: s = (+1, -1, +1, -1).
+// Where the four, six or eight rotors of a multirotor sit. Body axes: x forward (to the front rotor
+// of a plus, between two of a cross), y left, z up. Numbered from the front, counter-clockwise seen
+// from above; spin +1 turns counter-clockwise seen against the thrust axis (from above), neighbours
+// turn oppositely: plus layout, first rotor +1: s = (+1, -1, +1, -1).
 #pragma once
 
 #include <Eigen/Core>

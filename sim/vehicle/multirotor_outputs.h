@@ -7,8 +7,8 @@
 namespace rotorbench {
 
 /// Calls visit(rotor, name, unit, description, value) for each quantity; rotor 0 is the vehicle,
-/// others are numbered from 1. `forces` must belong to the state `y`. The air's quantities are there
-/// where the air is not the same everywhere.
+/// others are numbered from 1. `forces` must belong to the state `y`. The air's quantities are
+/// there where the air is not the same everywhere.
 template <class Plant, class Visit>
 void visitMultirotorOutputs(const AirConstants& air, const typename Plant::State& y,
                             const MultirotorForces<Plant::kRotors>& forces, Visit&& visit) {

@@ -78,7 +78,7 @@ struct RotorAtHub {
 };
 
 /// Rotors of the vehicle in order; `asPlanned` leaves the deviations out. Throws InputError if the
-/// layout and the rotor set disagree, a deviation names no rotor or there are not 4, 6 or 8 of them.
+/// layout and the rotor set disagree, a deviation names no rotor, or there are not 4, 6 or 8.
 std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, bool asPlanned = false);
 
 /// Mass properties with payloads and (unless `asPlanned`) deviations. Throws InputError with

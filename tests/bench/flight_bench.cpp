@@ -13,6 +13,7 @@
 #include "sim/run/simulation.h"
 #include "sim/sensing/sensor_tasks.h"
 #include "sim/sensing/true_state.h"
+#include "sim/vehicle/multirotor.h"
 
 namespace {
 

@@ -127,8 +127,8 @@ class TestShippedExperiments : public QObject {
              "saturates for long");
   }
 
-  /// Six and eight rotors fly the flagship's timeline with the same controller, whose gains are those
-  /// of poles: what they settle in is what it settles in, though one vehicle has ten times its mass.
+  /// Six and eight rotors fly the flagship's timeline with the same controller, whose gains are
+  /// those of poles: they settle as fast, though one vehicle has ten times the mass.
   void otherCountsSettleAlike_data() {
     QTest::addColumn<std::string>("name");
     QTest::addRow("hexacopter") << std::string("hexacopter-hover-and-steps");

@@ -56,7 +56,8 @@ class TestRotorInputs : public QObject {
         << std::string("must be a list of 4 to 8 numbers");
     QTest::addRow("a row of a table")
         << flight(kHexa, R"({"type": "motor-voltages", "source": {"type": "table", "rows": [
-               {"time": 0, "voltages": [1, 2, 3, 4, 5, 6]}, {"time": 1, "voltages": [1, 2, 3, 4]}]}})")
+               {"time": 0, "voltages": [1, 2, 3, 4, 5, 6]},
+               {"time": 1, "voltages": [1, 2, 3, 4]}]}})")
         << std::string("setup.control.source.rows[1].voltages")
         << std::string("6, one for each rotor of the layout");
   }

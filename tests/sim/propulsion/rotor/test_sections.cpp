@@ -249,7 +249,7 @@ void TestSections::impossibleGeometryIsRefused_data() {
   QTest::addColumn<QString>("fault");
   QTest::addRow("falling radii") << "stations[1].radius"
                                  << "0.1"
-                                 << "stations[1].radius: this rad";
+                                 << "stations[1].radius: is not above";
   QTest::addRow("no blades") << "blades"
                              << "0"
                              << "blades";
