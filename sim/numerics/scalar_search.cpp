@@ -24,10 +24,11 @@ Extremum extremumOf(const ScalarFunction& f, double low, double high, double tol
   };
   // The method ends within 2.5 * 2^(1 - bits) of the interval; half the bits of a double are the
   // most that a flat function resolves, and the most it takes.
-  constexpr double kEnd = 2.5, kMostBits = std::numeric_limits<double>::digits / 2;
+  constexpr double kEnd = 2.5;
+  constexpr int kMostBits = std::numeric_limits<double>::digits / 2;
   const double bits = 1 + std::ceil(std::log2(kEnd * (high - low) / tolerance));
   const auto [part, least] = boost::math::tools::brent_find_minima(
-      cost, 0.0, 1.0, static_cast<int>(std::clamp(bits, 2.0, kMostBits)));
+      cost, 0.0, 1.0, static_cast<int>(std::clamp(bits, 2.0, 1.0 * kMostBits)));
   const double value = least < kWorstValue ? least : std::numeric_limits<double>::infinity();
   return {at(part), sign * value};
 }
