@@ -39,7 +39,7 @@ QByteArray contents(const QString& path) {
 
 /// Value of one figure of a printed sheet; -1 for null, -2 where there is no such figure.
 double figure(const QByteArray& json, const QString& key) {
-  for (const QJsonValue& f : QJsonDocument::fromJson(json).object()["figures"].toArray()) {
+  for (const QJsonValue f : QJsonDocument::fromJson(json).object()["figures"].toArray()) {
     if (f["key"].toString() == key) return f["value"].toDouble(-1);
   }
   return -2;
@@ -156,8 +156,8 @@ class TestCli : public QObject {
     QVERIFY2(run.err.contains("below the ground at "), run.err.constData());
     const QJsonObject json = QJsonDocument::fromJson(run.out).object();
     QStringList verdicts, warnings;
-    for (const QJsonValue& v : json["verdicts"].toArray()) verdicts << v["name"].toString();
-    for (const QJsonValue& w : json["warnings"].toArray()) warnings << w["path"].toString();
+    for (const QJsonValue v : json["verdicts"].toArray()) verdicts << v["name"].toString();
+    for (const QJsonValue w : json["warnings"].toArray()) warnings << w["path"].toString();
     QVERIFY(verdicts.contains("below_ground"));
     QVERIFY(json["metrics"][0]["below_ground"].toDouble() > 0);
     QVERIFY(warnings.contains("setup.vehicle.rotors") && warnings.contains("setup.start.rotors"));
@@ -209,7 +209,7 @@ class TestCli : public QObject {
     const QJsonObject json = QJsonDocument::fromJson(outcome.out).object();
     QVERIFY(json["experiment"].toString().contains("Thesis experiment 1"));
     QStringList runs;
-    for (const QJsonValue& row : json["metrics"].toArray()) {
+    for (const QJsonValue row : json["metrics"].toArray()) {
       runs << row["run"].toString();
       for (const char* name : {"max_error_norm", "steps", "evaluations", "rejected"}) {
         QVERIFY(row[name].isDouble());
@@ -269,9 +269,9 @@ class TestCli : public QObject {
     const QJsonObject json = QJsonDocument::fromJson(contents(folder + "/results.json")).object();
     QVERIFY(json["passed"].toBool());
     QCOMPARE(json["cases"].toArray().size(), 2);
-    for (const QJsonValue& entry : json["cases"].toArray()) {
+    for (const QJsonValue entry : json["cases"].toArray()) {
       const QJsonObject c = entry.toObject();
-      for (const QJsonValue& figure : c["figures"].toArray()) {
+      for (const QJsonValue figure : c["figures"].toArray()) {
         QVERIFY(figure.toObject()["value"].isDouble());
       }
       const QJsonObject chart = c["charts"].toArray()[0].toObject();
