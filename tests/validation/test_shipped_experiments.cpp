@@ -141,8 +141,7 @@ class TestShippedExperiments : public QObject {
     QVERIFY(figure(table, "Flight", "altitude_rest_error") < 2e-3);
     for (const char* axis : {"altitude", "roll", "pitch"}) {
       const std::string settling = std::string(axis) + "_settling_time";
-      const double ratio =
-          figure(table, "Flight", settling) / figure(flagship, "Flight", settling);
+      const double ratio = figure(table, "Flight", settling) / figure(flagship, "Flight", settling);
       QVERIFY2(std::abs(ratio - 1) < 0.05, qPrintable(QString("%1: %2").arg(axis).arg(ratio)));
       QVERIFY(figure(table, "Flight", std::string(axis) + "_overshoot") < 0.02);
     }
@@ -290,8 +289,8 @@ class TestShippedExperiments : public QObject {
     QVERIFY(std::abs(r.sampleAt(speed, 0.5) - 4490 * std::numbers::pi / 30) < 1e-6);
     std::get<CsvInputs<RotorSpeedQuantity>>(std::get<SpeedInputs>(flight.control).source).file =
         "missing.csv";
-    QVERIFY_EXCEPTION_THROWN(buildSimulation(experiment, directory.path().toStdString()),
-                             InputError);
+    QVERIFY_THROWS_EXCEPTION(InputError,
+                             buildSimulation(experiment, directory.path().toStdString()));
   }
 
   /// An independent validator accepts every shipped experiment under the schema the program prints.

@@ -63,7 +63,7 @@ class TestBox : public QObject {
     QCOMPARE(alternative<int>(choice), 7);
     QVERIFY(alternativeIf<Counted>(choice) == nullptr);
     QCOMPARE(alternativeIf<Counted>(copy)->text, std::string("changed"));
-    QVERIFY_EXCEPTION_THROWN(alternative<Counted>(choice), std::bad_variant_access);
+    QVERIFY_THROWS_EXCEPTION(std::bad_variant_access, alternative<Counted>(choice));
     choice = Counted("new");
     struct Length {
       std::size_t operator()(const Counted& c) const { return c.text.size(); }

@@ -22,7 +22,7 @@ class TestDual : public QObject {
 
 void TestDual::slopes_data() {
   QTest::addColumn<Function>("f");
-  const auto row = [](const char* name, Function f) { QTest::addRow("%s", name) << std::move(f); };
+  const auto row = [](const char* name, const Function& f) { QTest::addRow("%s", name) << f; };
   row("sum", [](const Dual& x) { return 3 + x + x - 2; });
   row("negative", [](const Dual& x) { return -x - 0.5 * x; });
   row("product", [](const Dual& x) { return x * x * 2; });

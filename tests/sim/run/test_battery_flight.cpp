@@ -141,11 +141,11 @@ class TestBatteryFlight : public QObject {
         "old.json");
     const auto& supply = std::get<SupplyParameters>(alternative<Flight>(e.setup).vehicle.supply);
     QVERIFY(supply == (SupplyParameters{.voltage = 12.6, .internalResistance = 0.01}));
-    QVERIFY_EXCEPTION_THROWN(
+    QVERIFY_THROWS_EXCEPTION(
+        InputError,
         readExperiment(
             R"({"rotorbench": 1, "setup": {"type": "flight", "vehicle": {"supply": {"type": "nuclear"}}}})",
-            "bad.json"),
-        InputError);
+            "bad.json"));
   }
 
   /// The issue asks that a map is made when a simulation is built, never to look at a document.

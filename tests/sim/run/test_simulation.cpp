@@ -215,7 +215,7 @@ void TestSimulation::hopelessToleranceEnds() {
   comparison.methods = {{ode::Method::Rk547M}};
   comparison.errorControl = ode::ThesisErrorControl{.tolerance = 1e-300};
   experiment.setup = comparison;
-  QVERIFY_EXCEPTION_THROWN(buildSimulation(experiment), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, buildSimulation(experiment));
   comparison.errorControl = ode::ThesisErrorControl{.tolerance = 1e-15};
   experiment.setup = comparison;
   const auto simulation = buildSimulation(experiment);
