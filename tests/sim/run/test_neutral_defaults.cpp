@@ -92,7 +92,7 @@ void TestNeutralDefaults::shippedRotorsHaveTheirOwnInflow() {
       {"AscTec Hummingbird (RotorS)", rotors},
       {"AscTec Pelican rotor (RotorS)", rotors},
       {"AscTec Pelican (RotorS)", rotors},
-      {"T18 octorotor (FSC Lab)", rotors},  // t18/model.sdf: the figure of PX4's models
+      {"T18 octorotor (FSC Lab)", rotors},      // t18/model.sdf: the figure of PX4's models
       {"3DR Iris (PX4)", {1.75e-4, 0, 0, 0}}};  // PX4, models/iris/iris.sdf.jinja
   std::size_t checked = 0, found = 0;
   for (const LibraryEntry& entry : shipped().entries()) {
