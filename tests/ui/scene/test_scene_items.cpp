@@ -194,6 +194,39 @@ class TestSceneItems : public QObject {
                  .visible);
   }
 
+  /// From upwind towards the vehicle, never into it, longer in stronger wind; none without.
+  void windHasAnArrow() {
+    const SceneModel model = quadrotorModel();
+    const std::vector<SceneItem> items = itemsOf(model, colors(), MeshDetail::Low);
+    const std::vector<double> angles(4, 0.0);
+    ScenePose pose;
+    pose.position = {1, 2, 3};
+    const auto shaft = [&](const SceneOptions& options) {
+      return placeItems(items, model, pose, angles, options)[indexOf(items, "wind.shaft")];
+    };
+    QVERIFY(!shaft({}).visible);
+    pose.wind = Vector3d(0, -6, 0);
+    const WindArrow six = windArrow(model, pose);
+    QCOMPARE(six.speed, 6.0);
+    QVERIFY(shaft({}).visible);
+    QVERIFY((shaft({}).rotation * Vector3d::UnitZ() + Vector3d::UnitY()).norm() < 1e-12);
+    const Vector3d tip = six.tail + six.length * six.direction;
+    QVERIFY(tip.y() > pose.position.y() + sceneSize(model).radius);
+    QVERIFY(six.tail.y() > tip.y());
+    pose.wind = Vector3d(0, 0, 12);
+    QVERIFY(std::abs(windArrow(model, pose).length - 2 * six.length) < 1e-12);
+    SceneOptions without;
+    without.wind = false;
+    QVERIFY(!shaft(without).visible);
+    pose.wind = Vector3d::Zero();
+    QVERIFY(!shaft({}).visible);
+    // Before a run the experiment's own wind is shown.
+    SceneModel windy = model;
+    windy.wind = Vector3d(3, 4, 0);
+    pose.wind.reset();
+    QCOMPARE(windArrow(windy, pose).speed, 5.0);
+  }
+
   void rotorsTurnTheirWay() {
     SceneStage stage(MeshDetail::Low);
     stage.setModel(quadrotorModel());

@@ -97,7 +97,8 @@ class TestScenePanel : public QObject {
   }
 
   void switchesAreInTheMenu() {
-    for (const char* name : {"showTrail", "showThrust", "showGrid", "showAxes", "showSetPoint"}) {
+    for (const char* name :
+         {"showTrail", "showThrust", "showGrid", "showAxes", "showSetPoint", "showWind"}) {
       QAction* action = panel_->findChild<QAction*>(QLatin1String(name));
       QVERIFY2(action, name);
       QVERIFY(action->isChecked());
