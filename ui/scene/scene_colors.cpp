@@ -56,7 +56,7 @@ SceneColors sceneColors(const QPalette& palette) {
   c.thrust = pick("#009e73", "#1fc79a");
   c.trail = pick("#0072b2", "#56b4e9");
   c.setPoint = pick("#b8578f", "#e08cbd");
-  c.wind = pick("#56b4e9", "#8fd0f5");
+  c.wind = pick("#2f86bd", "#8fd0f5");
   c.axisX = pick("#c62f2f", "#ef5f5f");
   c.axisY = pick("#3d8b37", "#63b95c");
   c.axisZ = pick("#2a62c9", "#6f9bf0");
