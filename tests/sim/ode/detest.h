@@ -125,7 +125,7 @@ inline void problemC5(double, const State30& y, State30& d) {
   constexpr double mass[] = {0.000954786104043, 0.000285583733151, 0.0000437273164546,
                              0.0000517759138449, 0.00000277777777778};
   using Vector = Eigen::Vector3d;
-  const auto at = [&](int j) -> Vector { return y.segment<3>(3 * j); };
+  const auto at = [&](Eigen::Index j) -> Vector { return y.segment<3>(3 * j); };
   d.head<15>() = y.tail<15>();
   for (int j = 0; j < 5; ++j) {
     Vector a = -(sun + mass[j]) * at(j) / std::pow(at(j).norm(), 3);
