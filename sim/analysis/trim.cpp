@@ -191,14 +191,14 @@ Trim hoverToStartIn(const MultirotorConstants<N>& vehicle) {
   return startOf<N>(Multirotor<N>(vehicle).hoverSpeeds());
 }
 
-#define ROTORBENCH_TRIM_FOR(N)                                                         \
-  template std::optional<Trim> trimmedFlight<N>(const MultirotorConstants<N>&, double, \
-                                                const Trim&);                          \
-  template std::optional<Trim> trimmedHover<N>(const MultirotorConstants<N>&);         \
-  template Trim hoverToStartIn<N>(const MultirotorConstants<N>&);
-ROTORBENCH_TRIM_FOR(4)
-ROTORBENCH_TRIM_FOR(6)
-ROTORBENCH_TRIM_FOR(8)
-#undef ROTORBENCH_TRIM_FOR
+template std::optional<Trim> trimmedFlight<4>(const MultirotorConstants<4>&, double, const Trim&);
+template std::optional<Trim> trimmedHover<4>(const MultirotorConstants<4>&);
+template Trim hoverToStartIn<4>(const MultirotorConstants<4>&);
+template std::optional<Trim> trimmedFlight<6>(const MultirotorConstants<6>&, double, const Trim&);
+template std::optional<Trim> trimmedHover<6>(const MultirotorConstants<6>&);
+template Trim hoverToStartIn<6>(const MultirotorConstants<6>&);
+template std::optional<Trim> trimmedFlight<8>(const MultirotorConstants<8>&, double, const Trim&);
+template std::optional<Trim> trimmedHover<8>(const MultirotorConstants<8>&);
+template Trim hoverToStartIn<8>(const MultirotorConstants<8>&);
 
 }  // namespace rotorbench

@@ -18,6 +18,7 @@ void forEachInput(AnyFlight& flight, F&& f) {
 bool hasInputsForEachRotor(const Flight& flight) {
   const auto rotors = static_cast<std::size_t>(rotorCount(flight.vehicle.layout));
   bool all = true;
+  if (rotors == 0) return all;  // there is nothing to follow
   forEachInput(flight, [&](const auto& values, const auto&) { all &= values.size() == rotors; });
   return all;
 }

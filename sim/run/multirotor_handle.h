@@ -96,7 +96,10 @@ class MultirotorHandle final : public PlantHandle {
   /// A vehicle that hovers only at a tilt begins at it, unless it is given one.
   static State initialState(const Plant& plant, FlightStart start) {
     if (start.rotors != RotorStart::Hover) return plant.initialState(start);
-    const Trim hover = hoverToStartIn(plant.constants());
+    // In the air of the height it begins at.
+    MultirotorConstants<kRotors> there = plant.constants();
+    there.air.elevation += start.position.z();
+    const Trim hover = hoverToStartIn(there);
     if (start.attitude.x() == 0 && start.attitude.y() == 0)
       start.attitude.head<2>() << hover.roll, hover.pitch;
     return plant.initialState(start, hover.speeds.template head<kRotors>());

@@ -12,8 +12,8 @@ std::string numbered(const char* list, std::size_t index) {
 
 bool fitting(const VehicleParameters& vehicle) {
   const auto* own = std::get_if<IndividualRotors>(&vehicle.rotors);
-  return own == nullptr || own->rotors.empty() ||
-         own->rotors.size() == static_cast<std::size_t>(rotorCount(vehicle.layout));
+  const auto count = static_cast<std::size_t>(rotorCount(vehicle.layout));
+  return own == nullptr || own->rotors.empty() || count == 0 || own->rotors.size() == count;
 }
 
 /// What is wrong with the number of rotors, or empty.

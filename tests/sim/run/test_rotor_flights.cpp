@@ -68,6 +68,29 @@ class TestRotorFlights : public QObject {
     for (int i = 1; i <= rotors; ++i)
       QVERIFY(value(r, "rotor" + std::to_string(i) + ".thrust", r.rows() - 1) > 0.5);
   }
+
+  /// A hover begins in the air of its own height: thinner there, so faster, and balanced.
+  void hoversWhereItBegins_data() {
+    QTest::addColumn<double>("height");
+    QTest::addRow("at sea level") << 0.0;
+    QTest::addRow("high up") << 3000.0;
+  }
+  void hoversWhereItBegins() {
+    QFETCH(double, height);
+    const auto simulation = finished(
+        flight("hexa",
+               R"({"type": "controlled", "setPoints": [{"time": 0, "height": )" +
+                   std::to_string(height) + "}]}",
+               R"(, "environment": {"air": {"type": "standard"}}, "start": {"position": [0, 0, )" +
+                   std::to_string(height) + "]}"));
+    const Recording& r = *simulation->runs().front().recording;
+    QVERIFY(std::abs(value(r, "acceleration.z", 0)) < 1e-9);
+    const double density = value(r, "air.density", 0), speed = value(r, "rotor1.speed", 0);
+    // Speed goes with the inverse root of the density.
+    static double atSea = 0;
+    if (height == 0) atSea = speed * std::sqrt(density);
+    QVERIFY(std::abs(speed * std::sqrt(density) / atSea - 1) < 1e-5);
+  }
 };
 
 QTEST_APPLESS_MAIN(TestRotorFlights)
