@@ -130,8 +130,9 @@ void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
   if (!flown && !starts) return;
   try {
     withRotorCount(rotorCount(flight.vehicle.layout), [&](auto count) {
-      warnOf(buildMultirotor<count>(withoutMaps(flight.vehicle), flight.environment),
-             {flown, starts}, problems);
+      auto there = buildMultirotor<count>(withoutMaps(flight.vehicle), flight.environment);
+      there.air.elevation += flight.start.position.z();
+      warnOf(there, {flown, starts}, problems);
     });
   } catch (const InputError& error) {
     // A start in a hover that does not exist, or a vehicle that cannot be built, is refused when
