@@ -10,6 +10,9 @@
 
 #include "app/rotorbench-cli/commands.h"
 #include "app/rotorbench-cli/edits.h"
+#include "app/rotorbench-cli/live_run.h"
+#include "sim/document/changes.h"
+#include "sim/document/flight.h"
 #include "sim/io/metrics_output.h"
 #include "sim/run/preflight.h"
 #include "sim/run/run_files.h"
@@ -22,6 +25,8 @@ namespace {
 struct RunOptions {
   std::string file, output, format = "text";
   std::vector<std::string> edits;
+  bool live = false;
+  double pace = 1;
 };
 
 std::atomic<bool> interrupted{false};
@@ -56,7 +61,17 @@ class ProgressLine {
   std::chrono::steady_clock::time_point last_;
 };
 
-void drive(Simulation& simulation) {
+/// What came of a run.
+struct Outcome {
+  std::vector<RunOutput> runs;
+  RunSummary summary;
+  std::vector<Change> changes;
+  std::optional<RunFailure> failure;
+  double time = 0;  ///< s, at the end
+  bool wrong = false;
+};
+
+Outcome drive(Simulation& simulation) {
   // Small enough for Ctrl-C and the progress line, large enough not to cost anything.
   constexpr std::int64_t kSlice = 2000;
   ProgressLine line;
@@ -65,27 +80,45 @@ void drive(Simulation& simulation) {
     if (interrupted.load()) simulation.stop();
   }
   line.clear();
+  return {simulation.runs(),
+          {simulation.metrics(), simulation.verdicts(), {}},
+          simulation.changes(),
+          simulation.failure(),
+          simulation.progress().time};
 }
 
-int report(const Simulation& simulation) {
-  for (const Verdict& verdict : simulation.verdicts())
+Outcome driveLive(std::unique_ptr<Simulation> simulation, Pace pace) {
+  ProgressLine line;
+  LiveRun live = runLive(
+      std::move(simulation), pace, [] { return interrupted.load(); },
+      [&line](const Progress& progress) { line.show(progress); });
+  line.clear();
+  RunStatus& status = live.status;
+  return {status.outputs,       {status.metrics, status.verdicts, {}},
+          *status.changes,      status.failure,
+          status.progress.time, live.wrong > 0};
+}
+
+int report(const Outcome& outcome) {
+  for (const Verdict& verdict : outcome.summary.verdicts)
     std::fprintf(stderr, "The run did not go as asked: %s\n", sentence(verdict).c_str());
-  if (simulation.failure()) {
-    const auto& failure = *simulation.failure();
+  if (outcome.failure) {
+    const auto& failure = *outcome.failure;
     std::fprintf(stderr, "The run failed at t = %.6g s: %s: %s\n", failure.time,
                  failure.component.c_str(), failure.message.c_str());
     return kRunFailed;
   }
   if (interrupted.load()) {
     std::fprintf(stderr, "Interrupted at t = %.6g s; what was recorded until then is kept.\n",
-                 simulation.progress().time);
+                 outcome.time);
     return kRunFailed;
   }
-  return simulation.verdicts().empty() ? kOk : kRunFailed;
+  if (!outcome.summary.verdicts.empty()) return kRunFailed;
+  return outcome.wrong ? kInputWrong : kOk;
 }
 
 int run(const RunOptions& options) {
-  const Experiment experiment = loadEdited(options.file, options.edits);
+  Experiment experiment = loadEdited(options.file, options.edits);
   const auto directory = std::filesystem::path(options.file).parent_path();
   std::unique_ptr<Simulation> simulation;
   try {
@@ -93,22 +126,27 @@ int run(const RunOptions& options) {
   } catch (const InputError& error) {
     throw InputError(error.source().empty() ? options.file : error.source(), error.problems());
   }
+  if (options.live && !holdsAlternative<Flight>(experiment.setup))
+    throw InputError(options.file,
+                     {{"setup.type", "is no flight", "only flights run with --live"}});
   if (!options.output.empty()) prepareRunDirectory(options.output);
   std::signal(SIGINT, onInterrupt);
-  drive(*simulation);
-  const int code = report(*simulation);
+  Outcome outcome =
+      options.live ? driveLive(std::move(simulation), {options.pace}) : drive(*simulation);
+  const int code = report(outcome);
 
-  const RunSummary summary{simulation->metrics(), simulation->verdicts(), preflight(experiment)};
+  RunSummary& summary = outcome.summary;
+  summary.warnings = preflight(experiment);
+  setChanges(experiment, outcome.changes);
   if (!options.output.empty()) {
-    for (const auto& file :
-         writeRunFiles(options.output, experiment, simulation->runs(), summary)) {
+    for (const auto& file : writeRunFiles(options.output, experiment, outcome.runs, summary)) {
       std::cerr << "wrote " << file.string() << '\n';
     }
   }
   if (options.format == "json") {
     std::cout << metricsJson(experiment.title, summary);
   } else if (options.format == "csv") {
-    writeRunsCsv(std::cout, simulation->runs());
+    writeRunsCsv(std::cout, outcome.runs);
   } else {
     std::cout << metricsText(summary.metrics);
   }
@@ -133,6 +171,13 @@ void addRunCommand(CLI::App& app, int& code) {
       ->add_option("--format,-f", options->format,
                    "What to print: text or json metrics, or the recording as csv")
       ->check(CLI::IsMember({"text", "json", "csv"}));
+  auto* live = command->add_flag("--live", options->live, kLiveHelp);
+  command
+      ->add_option("--pace", options->pace,
+                   "With --live: simulated seconds per second; 0 is as fast as possible")
+      ->check(CLI::NonNegativeNumber)
+      ->needs(live)
+      ->type_name("FACTOR");
   command->callback([options, &code] { code = run(*options); });
 }
 

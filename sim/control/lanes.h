@@ -33,6 +33,15 @@ Real allLanes(double value) {
   }
 }
 
+/// `value` where `condition` is not 0, else 0; lane by lane.
+inline double whereNot0(double condition, double value) {
+  return condition != 0 ? value : 0;
+}
+template <int N>
+Lanes<N> whereNot0(const Lanes<N>& condition, const Lanes<N>& value) {
+  return (condition != 0).select(value, Lanes<N>::Zero());
+}
+
 inline bool differ(double a, double b) {
   return a != b;
 }

@@ -59,6 +59,17 @@ class BasicMotorSpeedController {
     return voltage;
   }
 
+  /// Other gains in the course of a flight, as BasicPid::retune(); for several motors, the same for
+  /// all. Rate and feed-forward stay.
+  void retune(const MotorSpeedParameters& p) {
+    const PidGains<double> one = gainsOf(p, limited_);
+    if constexpr (std::is_same_v<Real, double>) {
+      pid_.retune(one);
+    } else {
+      pid_.retune(alike<static_cast<std::size_t>(Real::RowsAtCompileTime)>(one));
+    }
+  }
+
   /// Integral part of the demand, rad/s^2.
   [[nodiscard]] const Real& integral() const { return pid_.integral(); }
 

@@ -75,9 +75,27 @@ class BasicPid {
     integral_ += g_.ki * error_ + g_.tracking * (carriedOut - raw_);
   }
 
+  /// Other gains from the next instant on, without a bump (Astrom, Hagglund, section 3.5): the
+  /// integral takes up what the proportional part changes by at what was last seen, the derivative
+  /// goes over within its filter time. Where the new gains have no integral, nothing can take the
+  /// difference up, and the new proportional part acts at once.
+  void retune(const PidGains<Real>& gains) {
+    if (started_) {
+      const Real difference = proportional(g_) - proportional(gains);
+      integral_ += whereNot0(gains.ki, difference);
+    }
+    g_ = gains;
+  }
+
   [[nodiscard]] const Real& integral() const { return integral_; }
 
  private:
+  /// The part that these gains give to what was last seen.
+  [[nodiscard]] Real proportional(const PidGains<Real>& g) const {
+    const Real setPoint = error_ + previous_;
+    return g.kp * (g.weight * (setPoint - origin_) - (previous_ - origin_));
+  }
+
   PidGains<Real> g_;
   Real integral_ = allLanes<Real>(0), derivative_ = allLanes<Real>(0);
   Real previous_{}, origin_{}, error_{}, raw_{};

@@ -12,6 +12,11 @@ namespace {
 /// Beyond 60 degrees of tilt thrust no longer makes up for the lost lift.
 constexpr double kLeastLiftCosine = 0.5;
 
+PidGains<Lanes<4>> gainsOf(const PidFlightParameters& p) {
+  return besides<4>({pidGains(p.altitude, 1 / p.rate), pidGains(p.roll, 1 / p.rate),
+                     pidGains(p.pitch, 1 / p.rate), pidGains(p.yaw, 1 / p.rate)});
+}
+
 }  // namespace
 
 double AngleUnwrapper::operator()(double angle) {
@@ -25,8 +30,11 @@ PidFlight::PidFlight(const PidFlightParameters& p, const ControlModel& model, Ti
     : Controller("controller", timing),
       model_(model),
       allocation_(model, vehicle),
-      pid_(besides<4>({pidGains(p.altitude, 1 / p.rate), pidGains(p.roll, 1 / p.rate),
-                       pidGains(p.pitch, 1 / p.rate), pidGains(p.yaw, 1 / p.rate)})) {}
+      pid_(gainsOf(p)) {}
+
+void PidFlight::retune(const PidFlightParameters& parameters) {
+  pid_.retune(gainsOf(parameters));
+}
 
 std::vector<HeldQuantity> PidFlight::held() const {
   // Far outside what a step's overshoot or a gust does to a vehicle that flies.

@@ -42,6 +42,9 @@ class PidFlight final : public Controller {
   [[nodiscard]] std::vector<Channel> channels() const override;
   void act(const ClockTick& tick, Board& board, double* row) override;
 
+  /// Other gains in the course of a flight, as BasicPid::retune(); the rate stays.
+  void retune(const PidFlightParameters& parameters);
+
   /// Rotor speeds in rad/s for what is believed and wanted.
   const PerRotor& update(const BodyMotion& body, const SetPoint& setPoint);
 

@@ -29,6 +29,10 @@ void SpeedControllers::act(const ClockTick& /*tick*/, Board& board, double* /*ro
   update(board.demand, board.measurement.drives, board.command.value);
 }
 
+void SpeedControllers::retune(const MotorSpeedParameters& parameters) {
+  std::visit([&](auto& bank) { bank.retune(parameters); }, motors_);
+}
+
 void SpeedControllers::update(const RotorDemand& demand, const DriveReadings& drives,
                               PerRotor& duties) {
   const double bus = std::max(drives.busVoltage, 1e-3);

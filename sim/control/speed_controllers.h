@@ -22,6 +22,9 @@ class SpeedControllers final : public Task {
   }
   void act(const ClockTick& tick, Board& board, double* row) override;
 
+  /// Other gains in the course of a flight, as BasicPid::retune(); rate and feed-forward stay.
+  void retune(const MotorSpeedParameters& parameters);
+
   /// Duty of each motor, -1..1 where its speed controller is reversible, else 0..1.
   void update(const RotorDemand& demand, const DriveReadings& drives, PerRotor& duties);
 

@@ -97,6 +97,7 @@ struct Field {
   bool asTable = false;                     ///< List of plain rows, edited as a table
   bool untyped = false;   ///< Variant: a file may leave its type out, meaning the first
   bool advanced = false;  ///< shown behind "more" in a form
+  bool live = false;      ///< of a flight, may be changed while it goes on (document/changes.h)
 
   /// Number, Integer, Boolean, Text, Choice, Vector.
   std::function<Value(const void* owner)> read;

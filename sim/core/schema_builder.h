@@ -48,6 +48,8 @@ class FieldBuilder {
   /// What was a group before it became a variant: files without a type mean the first alternative.
   FieldBuilder& untyped() { return field_->untyped = true, *this; }
   FieldBuilder& advanced() { return field_->advanced = true, *this; }
+  /// Whoever uses the member takes a new value while a flight goes on.
+  FieldBuilder& live() { return field_->live = true, *this; }
 
  private:
   Field* field_;

@@ -10,21 +10,59 @@ namespace rotorbench {
 using schema::atLeast;
 using schema::upTo;
 
+namespace {
+
+using std::numbers::pi;
+// Beyond 60 degrees a vehicle that holds its height needs more than twice its hover thrust.
+constexpr double kMostTilt = pi / 3;
+constexpr double kMostYaw = 20 * pi;
+
+template <class T>
+void height(schema::Builder<T>& b) {
+  b.number("height", &T::height, "Height", "z", "m").range(atLeast(-1e5), upTo(1e5)).live();
+}
+
+template <class T>
+void angle(schema::Builder<T>& b, const char* key, double T::*member, const char* label,
+           const char* symbol, double most) {
+  b.number(key, member, label, symbol, "rad")
+      .range(atLeast(-most), upTo(most))
+      .shownIn("deg")
+      .live();
+}
+
+void byHand(schema::Builder<HandSetPoints>& b, const char* key, bool HandSetPoints::*member,
+            const char* label) {
+  b.boolean(key, member, label)
+      .help("While it is on, this set-point is the one below and not the timeline's.")
+      .live();
+}
+
+}  // namespace
+
 void Describe<SetPointRow>::fields(schema::Builder<SetPointRow>& b) {
-  using std::numbers::pi;
+  using P = SetPointRow;
   b.title("row", "Set-points", "Set-points from one instant on.");
-  b.number("time", &SetPointRow::time, "Time", "t", "s").range(atLeast(0), upTo(1e6));
-  b.number("height", &SetPointRow::height, "Height", "z", "m").range(atLeast(-1e5), upTo(1e5));
-  // Beyond 60 degrees a vehicle that holds its height needs more than twice its hover thrust.
-  b.number("roll", &SetPointRow::roll, "Roll", "φ", "rad")
-      .range(atLeast(-pi / 3), upTo(pi / 3))
-      .shownIn("deg");
-  b.number("pitch", &SetPointRow::pitch, "Pitch", "θ", "rad")
-      .range(atLeast(-pi / 3), upTo(pi / 3))
-      .shownIn("deg");
-  b.number("yaw", &SetPointRow::yaw, "Yaw", "ψ", "rad")
-      .range(atLeast(-20 * pi), upTo(20 * pi))
-      .shownIn("deg");
+  b.number("time", &P::time, "Time", "t", "s").range(atLeast(0), upTo(1e6)).live();
+  height(b);
+  angle(b, "roll", &P::roll, "Roll", "φ", kMostTilt);
+  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostTilt);
+  angle(b, "yaw", &P::yaw, "Yaw", "ψ", kMostYaw);
+}
+
+void Describe<HandSetPoints>::fields(schema::Builder<HandSetPoints>& b) {
+  using P = HandSetPoints;
+  b.title("byHand", "By hand",
+          "Set-points that a person or a program holds instead of the timeline, from the start or "
+          "while the flight goes on.");
+  byHand(b, "heightByHand", &P::heightByHand, "Height by hand");
+  height(b);
+  byHand(b, "rollByHand", &P::rollByHand, "Roll by hand");
+  angle(b, "roll", &P::roll, "Roll", "φ", kMostTilt);
+  byHand(b, "pitchByHand", &P::pitchByHand, "Pitch by hand");
+  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostTilt);
+  byHand(b, "yawByHand", &P::yawByHand, "Yaw by hand");
+  angle(b, "yaw", &P::yaw, "Yaw", "ψ", kMostYaw);
 }
 
 void Describe<ControlledInputs>::fields(schema::Builder<ControlledInputs>& b) {
@@ -43,6 +81,7 @@ void Describe<ControlledInputs>::fields(schema::Builder<ControlledInputs>& b) {
       .items(1, 100000)
       .table();
   b.choice("interpolation", &ControlledInputs::interpolation, "Between the rows", interpolations());
+  b.group("byHand", &ControlledInputs::byHand, "By hand");
 }
 
 template class Box<ControlledInputs>;

@@ -22,6 +22,7 @@ struct ControlledInputs {
   MotorSpeedParameters motors;
   std::vector<SetPointRow> setPoints{1};
   Interpolation interpolation = Interpolation::Hold;
+  HandSetPoints byHand;
   bool operator==(const ControlledInputs&) const = default;
 };
 

@@ -1,5 +1,7 @@
 #include "sim/document/flight.h"
 
+#include <algorithm>
+
 #include "sim/document/controlled_inputs.h"
 
 namespace rotorbench {
@@ -13,6 +15,26 @@ void forEachInput(AnyFlight& flight, F&& f) {
   if (auto* speeds = std::get_if<SpeedInputs>(&flight.control)) forEachInstant(*speeds, below);
   if (auto* voltages = std::get_if<VoltageInputs>(&flight.control))
     forEachInstant(*voltages, below);
+}
+
+/// Changes in the order of their times, each one possible after those before it.
+void checkChanges(const Flight& flight, std::vector<Problem>& problems) {
+  if (flight.changes.empty()) return;
+  Flight changed = flight;
+  double latest = 0;
+  for (std::size_t i = 0; i < flight.changes.size(); ++i) {
+    const Change& change = flight.changes[i];
+    const std::string place = "changes[" + std::to_string(i) + "]";
+    if (change.time < latest)
+      problems.push_back({place + ".time", "is before that of the row before",
+                          "times must not fall from row to row"});
+    latest = std::max(latest, change.time);
+    if (change.time >= flight.duration)
+      problems.push_back({place + ".time", "is not before the end of the flight: nothing changes",
+                          "a time before the end", true});
+    if (const auto problem = makeChange(changed, change))
+      problems.push_back({place, problem->message(), {}});
+  }
 }
 
 bool hasInputsForEachRotor(const Flight& flight) {
@@ -42,6 +64,14 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
           "at its end.");
   b.number("duration", &Flight::duration, "Duration", "T", "s")
       .range(schema::above(0), schema::upTo(36000));
+  b.list("changes", &Flight::changes, "Changes")
+      .items(0, 100000)
+      .table()
+      .help(
+          "Gains, set-points and wind that take another value during the flight. What is changed "
+          "by "
+          "hand while a run goes on is written here in the run's own experiment, which repeats it. "
+          "Times must not fall from row to row.");
   b.follows("control", hasInputsForEachRotor, [](Flight& f) {
     const auto rotors = static_cast<std::size_t>(rotorCount(f.vehicle.layout));
     forEachInput(f, [&](auto& values, const auto&) { values.resize(rotors, values.back()); });
@@ -53,6 +83,7 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
       problems.push_back({path, "has " + std::to_string(values.size()) + " values",
                           std::to_string(rotors) + ", one for each rotor of the layout"});
     });
+    checkChanges(f, problems);
     if (f.tick > f.duration)
       problems.push_back({"tick", "is longer than the flight", "at most the duration"});
   });

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
 #include "sim/core/box.h"
 #include "sim/core/schema.h"
+#include "sim/document/changes.h"
 #include "sim/document/prescribed_inputs.h"
 #include "sim/environment/environment.h"
 #include "sim/ode/solver_settings.h"
@@ -23,8 +25,9 @@ struct Flight {
   EnvironmentParameters environment;
   FlightStart start;
   ode::SolverSettings solver{.method = ode::Method::ExponentialRk4, .step = 1e-3};
-  double tick = 1e-3;    ///< s, period of the fastest task
-  double duration = 30;  ///< s
+  double tick = 1e-3;           ///< s, period of the fastest task
+  double duration = 30;         ///< s
+  std::vector<Change> changes;  ///< during the flight, in the order of their times
   bool operator==(const Flight&) const = default;
 };
 

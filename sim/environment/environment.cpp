@@ -19,7 +19,8 @@ struct WindInto {
   }
   void set(double x, double y, double z) const {
     air.wind = {x, y, z};
-    air.moving = x != 0 || y != 0 || z != 0;
+    // Even a wind of 0: it may rise during a flight.
+    air.moving = true;
   }
 };
 

@@ -16,7 +16,8 @@ void Describe<SteadyWind>::fields(schema::Builder<SteadyWind>& b) {
       .range(atLeast(-100), upTo(100))
       .help(
           "Where the air goes, over the ground: x forward, y left, z up. Wind from ahead has a "
-          "negative x.");
+          "negative x.")
+      .live();
 }
 
 void Describe<LogarithmicWind>::fields(schema::Builder<LogarithmicWind>& b) {
@@ -28,21 +29,25 @@ void Describe<LogarithmicWind>::fields(schema::Builder<LogarithmicWind>& b) {
   b.vector("velocity", &P::velocity, "Wind velocity", "w_r", "m/s")
       .range(atLeast(-100), upTo(100))
       .components({"x", "y"})
-      .help("At the reference height. Where the air goes: x forward, y left.");
+      .help("At the reference height. Where the air goes: x forward, y left.")
+      .live();
   b.number("referenceHeight", &P::referenceHeight, "Reference height", "h_r", "m")
       .range(above(0), upTo(1000))
       .help("Above the ground; weather stations measure at 10 m.")
+      .live()
       .source("WMO-No. 8, Guide to Instruments and Methods of Observation");
   b.number("roughness", &P::roughness, "Roughness length", "z\u2080", "m")
       .range(above(0), upTo(10))
       .help(
           "0.0002 over open sea, 0.03 over short grass, 0.1 over low crops, 0.5 over bushes, 1 and "
           "more over towns and forests.")
+      .live()
       .source("Davenport classification, WMO-No. 8");
   b.number("ground", &P::ground, "Ground", "", "m")
       .range(atLeast(-1e5), upTo(1e5))
       .help("Height of the ground in the coordinates of the flight.")
-      .advanced();
+      .advanced()
+      .live();
   b.check([](const P& p, std::vector<Problem>& problems) {
     if (p.roughness < p.referenceHeight) return;
     problems.push_back({"roughness", "is not below the reference height",

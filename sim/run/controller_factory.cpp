@@ -7,22 +7,27 @@ namespace rotorbench {
 namespace {
 
 template <class C, class P>
-std::unique_ptr<Controller> make(const P& parameters, const ControllerSite& site) {
+MadeController make(const P& parameters, const ControllerSite& site) {
   const Timing timing{ticksBetween(parameters.rate, site.tick, site.controller / "rate")};
-  return std::make_unique<C>(parameters, site.model, timing, site.vehicle);
+  auto controller = std::make_unique<C>(parameters, site.model, timing, site.vehicle);
+  C* const flying = controller.get();
+  MadeController made(std::move(controller));
+  if constexpr (requires { flying->retune(parameters); })
+    made.retune = [flying](const ControllerParameters& p) { flying->retune(std::get<P>(p)); };
+  return made;
 }
 
-/// One line for every alternative of ControllerParameters.
+/// One line for every alternative of ControllerParameters. A controller with live parameters has
+/// retune(P), which takes them in the course of a flight.
 struct Maker {
   const ControllerSite& site;
-  using Made = std::unique_ptr<Controller>;
+  using Made = MadeController;
   Made operator()(const PidFlightParameters& p) const { return make<PidFlight>(p, site); }
 };
 
 }  // namespace
 
-std::unique_ptr<Controller> makeController(const ControllerParameters& parameters,
-                                           const ControllerSite& site) {
+MadeController makeController(const ControllerParameters& parameters, const ControllerSite& site) {
   return std::visit(Maker{site}, parameters);
 }
 

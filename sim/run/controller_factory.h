@@ -1,7 +1,9 @@
 // Makes the controller of a flight from its settings.
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "sim/control/control_model.h"
 #include "sim/control/controller.h"
@@ -18,8 +20,17 @@ struct ControllerSite {
   Place vehicle;     ///< where the vehicle does
 };
 
+/// A controller, and how it takes other settings in the course of a flight.
+struct MadeController {
+  MadeController() = default;
+  /// One that takes none.
+  template <class C>
+  MadeController(std::unique_ptr<C> made) : task(std::move(made)) {}  // NOLINT: it is one
+  std::unique_ptr<Controller> task;
+  std::function<void(const ControllerParameters&)> retune;  ///< of the same alternative
+};
+
 /// Throws InputError where the settings do not suit the site.
-std::unique_ptr<Controller> makeController(const ControllerParameters& parameters,
-                                           const ControllerSite& site);
+MadeController makeController(const ControllerParameters& parameters, const ControllerSite& site);
 
 }  // namespace rotorbench

@@ -4,16 +4,15 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 
-#include "sim/control/controller.h"
 #include "sim/document/controlled_inputs.h"
 #include "sim/run/builders.h"
+#include "sim/run/controller_factory.h"
 #include "sim/run/flight_simulation.h"
 
 namespace rotorbench {
 
-using ControllerFactory = std::function<std::unique_ptr<Controller>(const ControlModel&)>;
+using ControllerFactory = std::function<MadeController(const ControlModel&)>;
 
 /// The parts of a flight whose controller `factory` makes for the vehicle as planned; set-points
 /// and motor speed controllers are those of `inputs`. Throws InputError with paths from the

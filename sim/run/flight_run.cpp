@@ -19,6 +19,19 @@ namespace rotorbench {
 
 namespace {
 
+LivePart liveWind(PlantHandle& plant) {
+  return {"environment.wind",
+          [&plant](const Flight& f, double /*time*/) { plant.setAir(buildAir(f.environment)); }};
+}
+
+/// A part that takes its values from the inputs of a controlled flight.
+template <class Take>
+LivePart liveInputs(const char* path, Take take) {
+  return {path, [take](const Flight& f, double time) {
+            take(*std::get<Box<ControlledInputs>>(f.control), time);
+          }};
+}
+
 /// The controller's or inputs' part of the build: every alternative of Flight::control has one.
 struct PartsOf {
   const Flight& flight;
@@ -48,6 +61,7 @@ struct PartsOf {
     FlightParts parts;
     parts.plant = makePlant(flight, drive, vehicle);
     parts.tasks.push_back(std::move(inputs));
+    parts.live.push_back(liveWind(*parts.plant));
     return parts;
   }
 };
@@ -63,14 +77,31 @@ FlightParts controlledFlight(const Flight& flight, const ControlledInputs& input
       ticksBetween(inputs.motors.rate, flight.tick, context.place / "control" / "motors" / "rate")};
   FlightParts parts;
   parts.plant = makePlant(flight, RotorDrive::Motors, vehicle);
-  auto controller = factory(model);
-  parts.held = controller->held();
-  parts.timeline = inputs.setPoints;
+  MadeController controller = factory(model);
+  auto timeline = std::make_unique<Timeline>(inputs);
+  auto speeds = std::make_unique<SpeedControllers>(inputs.motors, model, speedTiming);
+  parts.held = controller.task->held();
+  parts.timeline = timeline.get();
+  parts.live.push_back(liveWind(*parts.plant));
+  const auto takeRows = [t = timeline.get()](const ControlledInputs& i, double time) {
+    t->take(i, time);
+  };
+  parts.live.push_back(liveInputs("control.setPoints", takeRows));
+  parts.live.push_back(liveInputs("control.byHand", takeRows));
+  parts.live.push_back(liveInputs(
+      "control.motors",
+      [s = speeds.get()](const ControlledInputs& i, double /*time*/) { s->retune(i.motors); }));
+  if (controller.retune)
+    parts.live.push_back(
+        liveInputs("control.controller",
+                   [retune = controller.retune](const ControlledInputs& i, double /*time*/) {
+                     retune(i.controller);
+                   }));
   parts.tasks.push_back(makeSensors(flight.sensors, context.seed));
   parts.tasks.push_back(std::make_unique<TrueState>());
-  parts.tasks.push_back(std::make_unique<Timeline>(inputs.setPoints, inputs.interpolation));
-  parts.tasks.push_back(std::move(controller));
-  parts.tasks.push_back(std::make_unique<SpeedControllers>(inputs.motors, model, speedTiming));
+  parts.tasks.push_back(std::move(timeline));
+  parts.tasks.push_back(std::move(controller.task));
+  parts.tasks.push_back(std::move(speeds));
   return parts;
 }
 

@@ -7,6 +7,7 @@
 #include "sim/document/flight.h"
 #include "sim/run/flight_figures.h"
 #include "sim/run/simulation.h"
+#include "sim/run/timeline.h"
 
 namespace rotorbench {
 
@@ -17,7 +18,8 @@ FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& o
       plant_(std::move(parts.plant)),
       scheduler_(std::move(parts.tasks), Signal::Truth),
       held_(std::move(parts.held)),
-      timeline_(std::move(parts.timeline)),
+      timeline_(parts.timeline),
+      changes_(flight, std::move(parts.live)),
       board_(plant_->rotors()),
       watch_(held_, board_),
       every_(ticksPerRow(outputs, flight.tick)),
@@ -42,6 +44,8 @@ Progress FlightSimulation::progress() const {
 
 void FlightSimulation::tick() {
   const double t = plant_->time();
+  if (const auto problem = changes_.act(done_, t))
+    return fail({t, problem->path, problem->message()});
   const double next =
       done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
   if (!prepare({t, next - t})) return;
@@ -49,6 +53,11 @@ void FlightSimulation::tick() {
   if (++done_ < ticks_) return;
   // The last row shows where the flight ended.
   if (prepare({next, tickSeconds()})) end(SimulationState::Finished);
+}
+
+std::optional<Problem> FlightSimulation::change(const Change& change) {
+  if (state() != SimulationState::Running) return Problem{{}, "the flight has ended", {}};
+  return changes_.add(change, done_, plant_->time());
 }
 
 bool FlightSimulation::prepare(const ClockTick& tick) {
@@ -72,7 +81,7 @@ MetricTable FlightSimulation::metrics() const {
   const ode::Statistics statistics = plant_->statistics();
   const auto count = [](std::int64_t n) { return static_cast<double>(n); };
   figures.metrics.push_back({"end_time", "s", "Simulated time at the end", plant_->time()});
-  addStepFigures(*recording_, held_, timeline_, figures.metrics);
+  if (timeline_ != nullptr) addStepFigures(*recording_, held_, timeline_->asked(), figures.metrics);
   addFlightFigures(*recording_, plant_->supply(), figures.metrics);
   for (const Verdict& verdict : verdicts()) {
     figures.metrics.push_back(

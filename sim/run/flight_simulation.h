@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "sim/control/controller.h"
-#include "sim/document/set_points.h"
 #include "sim/run/flight_watch.h"
+#include "sim/run/live_changes.h"
 #include "sim/run/plant_handle.h"
 #include "sim/run/scheduler.h"
 #include "sim/run/simulation.h"
@@ -16,12 +16,15 @@
 
 namespace rotorbench {
 
+class Timeline;
+
 /// What flies, and with which tasks.
 struct FlightParts {
   std::unique_ptr<PlantHandle> plant;
   std::vector<std::unique_ptr<Task>> tasks;
-  std::vector<HeldQuantity> held;     ///< by the controller among the tasks, if there is one
-  std::vector<SetPointRow> timeline;  ///< of whose steps figures are made
+  std::vector<HeldQuantity> held;      ///< by the controller among the tasks, if there is one
+  const Timeline* timeline = nullptr;  ///< among the tasks, or none: figures are made of its steps
+  std::vector<LivePart> live;          ///< of plant and tasks
 };
 
 class FlightSimulation final : public SimulationBase {
@@ -32,6 +35,8 @@ class FlightSimulation final : public SimulationBase {
   [[nodiscard]] Progress progress() const override;
   [[nodiscard]] MetricTable metrics() const override;
   [[nodiscard]] std::vector<Verdict> verdicts() const override { return watch_.verdicts(); }
+  std::optional<Problem> change(const Change& change) override;
+  [[nodiscard]] const std::vector<Change>& changes() const override { return changes_.all(); }
 
  private:
   void tick();
@@ -42,7 +47,8 @@ class FlightSimulation final : public SimulationBase {
   std::unique_ptr<PlantHandle> plant_;
   Scheduler scheduler_;
   std::vector<HeldQuantity> held_;
-  std::vector<SetPointRow> timeline_;
+  const Timeline* timeline_;
+  LiveChanges changes_;
   Board board_;
   FlightWatch watch_;  ///< of board_
   std::int64_t every_, ticks_, done_ = 0;

@@ -60,6 +60,11 @@ class MultirotorHandle final : public PlantHandle {
         [&](int, const char*, const char*, const char*, double value) { *out++ = value; });
   }
 
+  void setAir(const AirConstants& air) override {
+    plant_.setAir(air);
+    solver_.restart();
+  }
+
   void observe(Truth& truth) override {
     plant_.derivativeAndForces(time(), y_, derivative_, forces_);
     truth.body = {y_.template segment<3>(Layout::kPosition),

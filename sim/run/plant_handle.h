@@ -9,6 +9,7 @@
 #include "sim/core/channel.h"
 #include "sim/core/place.h"
 #include "sim/document/flight.h"
+#include "sim/environment/air.h"
 #include "sim/ode/solver_settings.h"
 #include "sim/ode/status.h"
 #include "sim/propulsion/drive/battery.h"
@@ -31,6 +32,8 @@ class PlantHandle {
   /// derivative and forces up to date. Returns the supply's voltage under load, V.
   virtual double command(const ClockTick& tick, const RotorCommand& command) = 0;
   virtual void row(double* out) const = 0;
+  /// The air is another from time() on, of the same models. Between two ticks.
+  virtual void setAir(const AirConstants& air) = 0;
   /// Brings the plant exactly to `end`; dead times are multiples of nothing, so the solver stops on
   /// the way wherever a command begins to act.
   virtual ode::Status advance(double end) = 0;

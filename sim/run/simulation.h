@@ -17,6 +17,7 @@
 
 namespace rotorbench {
 
+struct Change;
 struct Experiment;
 
 /// Channels that an experiment of this kind may have and this one has not, and a sentence that says
@@ -60,6 +61,13 @@ class Simulation {
   /// What the run came to that nobody asked for. From the driving thread, as metrics().
   [[nodiscard]] virtual std::vector<Verdict> verdicts() const { return {}; }
   [[nodiscard]] virtual double tickSeconds() const = 0;
+
+  /// Changes the experiment while it goes on, between two ticks: now, or when the change's time has
+  /// come. Returns why not, where that cannot be. From the driving thread.
+  virtual std::optional<Problem> change(const Change& change) = 0;
+  /// All changes, laid down in the experiment or made since: the experiment with these repeats the
+  /// run bit for bit. From the driving thread.
+  [[nodiscard]] virtual const std::vector<Change>& changes() const = 0;
 };
 
 /// Builds the simulation an experiment describes. Throws InputError listing every problem. Files

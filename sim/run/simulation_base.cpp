@@ -3,7 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/document/changes.h"
+
 namespace rotorbench {
+
+std::optional<Problem> SimulationBase::change(const Change& change) {
+  return Problem{change.parameter, "cannot change while this experiment runs",
+                 "only flights take changes; all else needs a new run"};
+}
+
+const std::vector<Change>& SimulationBase::changes() const {
+  static const std::vector<Change> kNone;
+  return kNone;
+}
 
 Recording& SimulationBase::addRun(std::string name, std::vector<Channel> channels,
                                   const OutputSettings& outputs, std::size_t share) {

@@ -13,6 +13,9 @@ class SimulationBase : public Simulation {
   [[nodiscard]] const std::vector<RunOutput>& runs() const override { return runs_; }
   [[nodiscard]] const std::optional<RunFailure>& failure() const override { return failure_; }
   [[nodiscard]] double tickSeconds() const override { return tickSeconds_; }
+  /// Only kinds that override these take changes.
+  std::optional<Problem> change(const Change& change) override;
+  [[nodiscard]] const std::vector<Change>& changes() const override;
   void stop() override {
     if (state_ == SimulationState::Running) end(SimulationState::Finished);
   }

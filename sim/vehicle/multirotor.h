@@ -112,6 +112,9 @@ class Multirotor {
 
   explicit Multirotor(const Constants& constants) : constants_(constants) {}
 
+  /// The air from now on.
+  void setAir(const AirConstants& air) { constants_.air = air; }
+
   /// Held between two calls; see RotorDrive. Duties beyond what the speed controllers take are cut
   /// off.
   void setCommand(const Command& command) { command_ = allowed(command); }

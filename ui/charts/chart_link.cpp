@@ -14,6 +14,12 @@ void ChartLink::setFollows(bool follows) {
   emit followsChanged(follows);
 }
 
+void ChartLink::setMarksShown(bool shown) {
+  if (shown == marksShown_) return;
+  marksShown_ = shown;
+  emit marksShownChanged(shown);
+}
+
 void ChartLink::newestTime(double time) {
   if (!follows_ || !timeRange_ || time == timeRange_->high) return;
   setTimeRange(Span{time - timeRange_->width(), time});

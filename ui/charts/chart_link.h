@@ -25,6 +25,9 @@ class ChartLink : public QObject {
   [[nodiscard]] bool follows() const { return follows_; }
   void setFollows(bool follows);
   void newestTime(double time);
+  /// Whether charts show what happened to their runs.
+  [[nodiscard]] bool marksShown() const { return marksShown_; }
+  void setMarksShown(bool shown);
   /// As at first: the whole time, not following, no cursors.
   void reset();
 
@@ -38,12 +41,14 @@ class ChartLink : public QObject {
   void timeRangeChanged();
   void followsChanged(bool follows);
   void cursorsChanged();
+  void marksShownChanged(bool shown);
   /// A person moved cursor A to this time.
   void timeCursorMoved(double time);
 
  private:
   std::optional<Span> timeRange_;
   bool follows_ = false;
+  bool marksShown_ = true;
   std::optional<double> a_, b_;
 };
 

@@ -32,6 +32,8 @@ ChartPane::ChartPane(RunSet* runs, ChartLink* link, QWidget* parent)
   pending_.setInterval(0);
   connect(&pending_, &QTimer::timeout, this, [this] { refresh(); });
   connect(runs_, &RunSet::changed, this, &ChartPane::takeCurves);
+  connect(runs_, &RunSet::marksChanged, this, &ChartPane::updateMarks);
+  connect(link_, &ChartLink::marksShownChanged, this, &ChartPane::updateMarks);
   connect(link_, &ChartLink::timeRangeChanged, this, &ChartPane::markStale);
   connect(link_, &ChartLink::cursorsChanged, this, [this] {
     updateReadouts();
@@ -104,7 +106,17 @@ void ChartPane::takeCurves() {
   legend_->setEntries(entries);
   updateHint();
   updateReadouts();
+  updateMarks();
   markStale();
+}
+
+void ChartPane::updateMarks() {
+  std::vector<PlotMark> marks;
+  for (const ChartRun& run : runs_->runs()) {
+    if (!run.visible || !link_->marksShown()) continue;
+    for (const RunMark& mark : run.marks) marks.push_back({mark.time, mark.text, run.color});
+  }
+  plot_->setMarks(std::move(marks));
 }
 
 void ChartPane::updateHint() {

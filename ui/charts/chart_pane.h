@@ -98,6 +98,7 @@ class ChartPane : public QFrame {
   void edit(const ChartSpec& spec);
   void takeCurves();
   void updateHint();
+  void updateMarks();
   void updateReadouts();
   void placeLegend();
   void viewChosen(const ChartView& view, bool continuous);

@@ -124,6 +124,12 @@ void ChartPane::buildMenu() {
   connect(follow, &QAction::triggered, link_, &ChartLink::setFollows);
   connect(menu_, &QMenu::aboutToShow, follow,
           [this, follow] { follow->setChecked(link_->follows()); });
+  QAction* marks = menu_->addAction(tr("Show changes of the flight"));
+  marks->setObjectName(QStringLiteral("showMarks"));
+  marks->setCheckable(true);
+  connect(marks, &QAction::triggered, link_, &ChartLink::setMarksShown);
+  connect(menu_, &QMenu::aboutToShow, marks,
+          [this, marks] { marks->setChecked(link_->marksShown()); });
   menu_->addSeparator();
   toggle(tr("Logarithmic horizontal axis"), "logX", &ChartSpec::logX);
   toggle(tr("Logarithmic vertical axis"), "logY", &ChartSpec::logY);

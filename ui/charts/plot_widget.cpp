@@ -1,7 +1,9 @@
 #include "ui/charts/plot_widget.h"
 
 #include <QEvent>
+#include <QHelpEvent>
 #include <QPainter>
+#include <QToolTip>
 #include <cmath>
 
 namespace rotorbench {
@@ -28,6 +30,26 @@ void PlotWidget::setContent(Content content) {
 void PlotWidget::setRings(std::vector<Ring> rings) {
   content_.rings = std::move(rings);
   update();
+}
+
+void PlotWidget::setMarks(std::vector<PlotMark> marks) {
+  if (marks.empty() && marks_.empty()) return;
+  marks_ = std::move(marks);
+  update();
+}
+
+bool PlotWidget::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip && !marks_.empty()) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    const QString text = marksAt(help->pos(), marks_, content_.frame, layout_);
+    if (text.isEmpty()) {
+      QToolTip::hideText();
+    } else {
+      QToolTip::showText(help->globalPos(), text, this);
+    }
+    return true;
+  }
+  return QWidget::event(event);
 }
 
 void PlotWidget::takeContent() {
@@ -70,6 +92,7 @@ void PlotWidget::paintEvent(QPaintEvent*) {
   if (stale_ || pixmap_.devicePixelRatio() != devicePixelRatioF()) renderStatic();
   QPainter painter(this);
   painter.drawPixmap(0, 0, pixmap_);
+  if (content_.kind == ChartKind::Time) paintMarks(painter, marks_, content_.frame, layout_);
   paintCursors(painter);
   if (!hint_.isEmpty()) paintHint(painter);
   if (gesture_ == Gesture::Band && moved_) {

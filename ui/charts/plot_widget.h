@@ -9,6 +9,7 @@
 #include "ui/charts/chart_frame.h"
 #include "ui/charts/chart_link.h"
 #include "ui/charts/curve_layer.h"
+#include "ui/charts/plot_marks.h"
 #include "ui/charts/plot_painter.h"
 
 namespace rotorbench {
@@ -32,6 +33,9 @@ class PlotWidget : public QWidget {
   };
   void setContent(Content content);
   void setRings(std::vector<Ring> rings);
+  /// What happened to the runs, shown on a time axis.
+  void setMarks(std::vector<PlotMark> marks);
+  [[nodiscard]] const std::vector<PlotMark>& marks() const { return marks_; }
   [[nodiscard]] const ChartFrame& frame() const { return content_.frame; }
   [[nodiscard]] qsizetype pointCount() const { return layer_.pointCount(); }
   /// A sentence in the middle of the plot; empty for none.
@@ -54,6 +58,7 @@ class PlotWidget : public QWidget {
   void menuAsked(QPoint globalPosition);
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent*) override;
   void resizeEvent(QResizeEvent*) override;
   void changeEvent(QEvent* event) override;
@@ -85,6 +90,7 @@ class PlotWidget : public QWidget {
   ChartLink* link_;
   Content content_;
   QString hint_;
+  std::vector<PlotMark> marks_;
   PlotLayout layout_;
   LabelWidths labelWidths_;
   CurveLayer layer_;

@@ -66,6 +66,13 @@ void RunSet::setColor(const QString& id, const QColor& color) {
   }
 }
 
+void RunSet::setMarks(const QString& id, std::vector<RunMark> marks) {
+  if (auto* run = edit(id)) {
+    run->marks = std::move(marks);
+    emit marksChanged();
+  }
+}
+
 std::vector<Channel> RunSet::channels() const {
   std::vector<Channel> all;
   std::set<std::string> seen;

@@ -11,6 +11,7 @@
 #include "sim/core/recording.h"
 #include "sim/run/simulation.h"
 #include "ui/charts/column_summary.h"
+#include "ui/runs/run_marks.h"
 
 namespace rotorbench {
 
@@ -22,6 +23,7 @@ struct ChartRun {
   bool visible = true;
   bool measured = false;                 ///< drawn as marks without a line
   std::vector<AbsentChannels> absent{};  ///< what it has not, and why
+  std::vector<RunMark> marks{};          ///< in the order of their times
 };
 
 class RunSet : public QObject {
@@ -40,6 +42,8 @@ class RunSet : public QObject {
   void setVisible(const QString& id, bool visible);
   void rename(const QString& id, const QString& name);
   void setColor(const QString& id, const QColor& color);
+  /// Sends marksChanged() only.
+  void setMarks(const QString& id, std::vector<RunMark> marks);
 
   /// Channels of the visible runs, each name once, in order of appearance. The abscissa is among
   /// them.
@@ -54,6 +58,7 @@ class RunSet : public QObject {
  signals:
   /// Runs were added, removed, shown, hidden, renamed or coloured.
   void changed();
+  void marksChanged();
 
  private:
   ChartRun* edit(const QString& id);

@@ -1,5 +1,6 @@
 #include "ui/forms/experiment_panel.h"
 
+#include <QLabel>
 #include <QSplitter>
 #include <QVBoxLayout>
 
@@ -17,7 +18,8 @@ ExperimentPanel::ExperimentPanel(DocumentModel* model, QSettings* settings, QWid
       units_(settings),
       context_{model, &units_, plainLocale(), {}, {}, {}},
       tree_(new SectionTree(context_, this)),
-      form_(new ParameterForm(context_, this)) {
+      form_(new ParameterForm(context_, this)),
+      flying_(new QLabel(this)) {
   setObjectName(QStringLiteral("experimentPanel"));
   auto* splitter = new QSplitter(Qt::Vertical, this);
   splitter->setObjectName(QStringLiteral("experimentSplitter"));
@@ -28,7 +30,13 @@ ExperimentPanel::ExperimentPanel(DocumentModel* model, QSettings* settings, QWid
   splitter->setChildrenCollapsible(false);
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(form_style::kGrid, form_style::kGrid, form_style::kGrid, 0);
-  column->addWidget(splitter);
+  flying_->setObjectName(QStringLiteral("flyingNote"));
+  flying_->setWordWrap(true);
+  flying_->setTextFormat(Qt::PlainText);
+  form_style::setFontScale(flying_, 0.92);
+  flying_->hide();
+  column->addWidget(flying_);
+  column->addWidget(splitter, 1);
   model->setValueText([this](const schema::Field& field, const schema::Value& value) {
     return valueText(field, value, units_.shownUnit(field), context_.locale);
   });
@@ -53,6 +61,16 @@ void ExperimentPanel::setComponents(std::function<bool(const QString& path)> has
   context_.hasComponents = std::move(has);
   context_.pickComponent = std::move(pick);
   form_->rebuild();
+}
+
+void ExperimentPanel::setFlying(const QString& run) {
+  flying_->setText(
+      tr("%1 is under way. What is marked %2 acts in it at once, all else in the next run.")
+          .arg(run.section(QLatin1Char(':'), 0, 0), form_style::kLiveMark));
+  flying_->setVisible(!run.isEmpty());
+  if (context_.flying == !run.isEmpty()) return;
+  context_.flying = !run.isEmpty();
+  form_->showLive();
 }
 
 void ExperimentPanel::showSection(const QString& path) {

@@ -6,6 +6,7 @@
 
 #include "ui/forms/form_context.h"
 
+class QLabel;
 class QSettings;
 class QSplitter;
 
@@ -27,6 +28,8 @@ class ExperimentPanel : public QWidget {
   /// Whether a part of the document has ready components, and what opens the picker for it.
   void setComponents(std::function<bool(const QString& path)> has,
                      std::function<void(const QString& path)> pick);
+  /// A flight of the document goes on under this name: says which fields act at once. Empty: none.
+  void setFlying(const QString& run);
   [[nodiscard]] UnitPreferences* units() { return &units_; }
   [[nodiscard]] ParameterForm* form() { return form_; }
   [[nodiscard]] SectionTree* tree() { return tree_; }
@@ -43,6 +46,7 @@ class ExperimentPanel : public QWidget {
   FormContext context_;
   SectionTree* tree_;
   ParameterForm* form_;
+  QLabel* flying_;
 };
 
 }  // namespace rotorbench

@@ -20,6 +20,8 @@ struct FormContext {
   /// may be empty.
   std::function<bool(const QString& path)> hasComponents{};
   std::function<void(const QString& path)> pickComponent{};
+  /// A flight of this document goes on: fields that act at once are marked.
+  bool flying = false;
 };
 
 }  // namespace rotorbench

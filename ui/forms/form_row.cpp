@@ -141,7 +141,11 @@ void FormRow::refreshMarker() {
 void FormRow::refreshNames() {
   const schema::Field& field = editor_->field();
   const QString unit = context_.units->shownUnit(field);
-  const QString tip = toolTipHtml(field, path(), unit, defaultText(), context_.locale);
+  const bool live = context_.flying && field.live;
+  label_->setText(labelHtml(field) +
+                  (live ? form_style::liveMarkHtml(label_->palette()) : QString()));
+  QString tip = toolTipHtml(field, path(), unit, defaultText(), context_.locale);
+  if (live) tip += tr("<p>Acts at once in the flight that goes on.</p>");
   label_->setToolTip(tip);
   editor_->setToolTip(tip);
   QWidget* input = editor_->inputWidget();

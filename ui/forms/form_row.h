@@ -42,6 +42,8 @@ class FormRow : public QObject {
   [[nodiscard]] FieldEditor* editor() const { return editor_; }
 
   void refresh();
+  /// Label and tips anew.
+  void refreshNames();
   void unitsChanged();
   void setVisible(bool visible);
   /// What the document finds wrong here; None clears it.
@@ -59,7 +61,6 @@ class FormRow : public QObject {
   void makeMarker(QWidget* content);
   void makeMessage(QWidget* content);
   void refreshMarker();
-  void refreshNames();
   void showProblem();
   void showMenu(const QPoint& globalPosition);
   void addFieldActions(QMenu* menu);

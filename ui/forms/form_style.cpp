@@ -57,6 +57,11 @@ QColor severityColour(Severity severity, const QPalette& palette) {
   return palette.color(QPalette::WindowText);
 }
 
+QString liveMarkHtml(const QPalette& palette) {
+  return QStringLiteral(" <span style=\"color:%1\">%2</span>")
+      .arg(palette.color(QPalette::Highlight).name(), kLiveMark);
+}
+
 QColor dimmed(const QPalette& palette) {
   return mix(palette.color(QPalette::WindowText), palette.color(QPalette::Window), 0.62);
 }

@@ -18,6 +18,10 @@ constexpr int kUnitWidth = 56;
 constexpr int kMarkerWidth = 20;
 constexpr int kWidestForm = 620;
 
+/// Beside what acts at once in a flight that goes on.
+constexpr QChar kLiveMark(0x25CF);
+QString liveMarkHtml(const QPalette& palette);
+
 enum class Severity { None, Warning, Error };
 
 /// Red or amber with enough contrast on the palette's window colour.

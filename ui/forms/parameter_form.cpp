@@ -71,6 +71,11 @@ void ParameterForm::focusPlace(const QString& path) {
   ensureWidgetVisible(row->editor());
 }
 
+void ParameterForm::showLive() {
+  for (auto* row : rows_) row->refreshNames();
+  for (auto& [path, list] : lists_) list->refresh();
+}
+
 void ParameterForm::rebuildLater() {
   if (rebuildPending_) return;
   rebuildPending_ = true;

@@ -28,6 +28,8 @@ class ParameterForm : public QScrollArea {
   void showSection(const QString& path);
   /// Shows the section that holds `path`, opens "More" if needed and puts the focus on the field.
   void focusPlace(const QString& path);
+  /// Marks the fields that act at once while a flight goes on, or no more.
+  void showLive();
   /// Makes the form anew from the document and the context.
   void rebuild();
 

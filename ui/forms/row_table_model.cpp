@@ -171,7 +171,10 @@ QVariant RowTableModel::headerData(int section, Qt::Orientation orientation, int
     return role == Qt::DisplayRole ? QVariant(section + 1) : QVariant();
   }
   const Column& c = column(section);
-  if (role == Qt::DisplayRole) return title(section);
+  if (role == Qt::DisplayRole) {
+    const bool live = context_.flying && c.field->live;
+    return live ? title(section) + QLatin1Char(' ') + form_style::kLiveMark : title(section);
+  }
   if (role == Qt::ToolTipRole) {
     return toolTipHtml(*c.field, list_ + QStringLiteral("[…].") + c.key,
                        context_.units->shownUnit(*c.field), {}, context_.locale);

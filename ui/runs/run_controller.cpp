@@ -58,6 +58,10 @@ void RunController::setPace(Pace pace) {
   if (worker_) worker_->setPace(pace);
 }
 
+void RunController::change(const Change& change) {
+  if (worker_) worker_->change(change);
+}
+
 void RunController::poll() {
   if (!worker_) return;
   takeStatus();

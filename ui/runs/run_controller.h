@@ -39,6 +39,8 @@ class RunController : public QObject {
   /// Ends the run and returns when its thread has ended.
   void stopAndWait();
   void setPace(Pace pace);
+  /// Changes the flight in progress before its next tick; see RunWorker::change().
+  void change(const Change& change);
 
   [[nodiscard]] Pace pace() const { return pace_; }
   [[nodiscard]] RunState state() const { return status_.state; }

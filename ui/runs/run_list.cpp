@@ -127,8 +127,15 @@ void RunList::setStatus(int id, RunStatus status) {
   RunRecord* record = edit(id);
   if (record == nullptr) return;
   const bool newRecordings = record->status.outputs.size() != status.outputs.size();
+  const bool changed = status.changes != nullptr && status.changes != record->status.changes;
   record->status = std::move(status);
+  if (changed) {
+    setChanges(record->experiment, *record->status.changes);
+    const auto row = static_cast<std::size_t>(rowOf(id));
+    outOfDate_[row] = !sameInputs(record->experiment, current_);
+  }
   announce(id);
+  if (changed) emit changesMade(id);
   if (newRecordings) emit runsChanged();
 }
 

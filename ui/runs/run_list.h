@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sim/document/experiment.h"
-#include "ui/runs/run_worker.h"
+#include "sim/run/run_worker.h"
 
 namespace rotorbench {
 
@@ -21,8 +21,8 @@ struct RunRecord {
   QDateTime started;
   bool visible = true;
   bool measured = false;  ///< imported data: there is a recording, but no experiment it came from
-  Experiment experiment;
-  RunStatus status;  ///< with the recordings
+  Experiment experiment;  ///< with all that has changed while it ran: repeats the run
+  RunStatus status;       ///< with the recordings
 };
 
 /// True if two experiments give the same numbers: titles, notes and chart panes do not count.
@@ -62,6 +62,8 @@ class RunList : public QAbstractListModel {
  signals:
   /// Recordings were added, removed, shown, hidden or renamed.
   void runsChanged();
+  /// The experiment of this run has changed while it goes on; the record has it.
+  void changesMade(int id);
 
  private:
   RunRecord* edit(int id);

@@ -5,12 +5,13 @@
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
-#include <QSlider>
 #include <QStyle>
 #include <QToolButton>
 #include <algorithm>
 #include <array>
 #include <cmath>
+
+#include "ui/scene/marked_slider.h"
 
 namespace rotorbench {
 namespace {
@@ -49,7 +50,7 @@ void PlaybackBar::build() {
   play_ = makeButton("playButton", tr("Play"), false);
   connect(play_, &QToolButton::clicked, this, [this] { setPlaying(!isPlaying()); });
 
-  slider_ = new QSlider(Qt::Horizontal, this);
+  slider_ = new MarkedSlider(this);
   slider_->setObjectName(QStringLiteral("timeSlider"));
   slider_->setAccessibleName(tr("Time"));
   slider_->setToolTip(tr("Time shown. Arrow keys step, Page Up and Page Down leap."));
@@ -57,7 +58,7 @@ void PlaybackBar::build() {
   slider_->setSingleStep(kSliderSteps / 200);
   slider_->setPageStep(kSliderSteps / 20);
   slider_->setMinimumWidth(60);
-  connect(slider_, &QSlider::valueChanged, this, &PlaybackBar::sliderMoved);
+  connect(slider_, &MarkedSlider::valueChanged, this, &PlaybackBar::sliderMoved);
 
   label_ = new QLabel(this);
   label_->setObjectName(QStringLiteral("timeLabel"));
@@ -96,8 +97,10 @@ void PlaybackBar::build() {
 
 void PlaybackBar::setRange(double start, double end, bool live) {
   start_ = start;
+  const bool longer = end_ != std::max(start, end);
   end_ = std::max(start, end);
   live_ = live;
+  if (longer) placeMarks();
   moveTo(isFollowing() ? end_ : time_);
   updateWidgets();
 }
@@ -145,6 +148,19 @@ void PlaybackBar::setSpeed(double speed) {
     return std::abs(a - speed) < std::abs(b - speed);
   });
   speed_->setCurrentIndex(static_cast<int>(nearest - kSpeeds.begin()));
+}
+
+void PlaybackBar::setMarks(std::vector<double> times) {
+  marks_ = std::move(times);
+  placeMarks();
+}
+
+void PlaybackBar::placeMarks() {
+  std::vector<double> places;
+  for (const double time : marks_)
+    if (end_ > start_ && time >= start_ && time <= end_)
+      places.push_back((time - start_) / (end_ - start_));
+  slider_->setMarks(std::move(places));
 }
 
 bool PlaybackBar::isFollowing() const {

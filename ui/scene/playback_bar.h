@@ -5,13 +5,15 @@
 #include <QElapsedTimer>
 #include <QTimer>
 #include <QWidget>
+#include <vector>
 
 class QComboBox;
 class QLabel;
-class QSlider;
 class QToolButton;
 
 namespace rotorbench {
+
+class MarkedSlider;
 
 class PlaybackBar : public QWidget {
   Q_OBJECT
@@ -26,6 +28,8 @@ class PlaybackBar : public QWidget {
   void setPlaying(bool playing);
   void setFollowing(bool following);
   void setLooping(bool looping);
+  /// Times, s, that get a tick on the slider.
+  void setMarks(std::vector<double> times);
   /// Times real time; the nearest of the speeds offered is taken.
   void setSpeed(double speed);
 
@@ -49,6 +53,7 @@ class PlaybackBar : public QWidget {
   void advance();
   void sliderMoved(int position);
   void updateWidgets();
+  void placeMarks();
   [[nodiscard]] int toSlider(double time) const;
 
   double start_ = 0, end_ = 0, time_ = 0;
@@ -59,7 +64,8 @@ class PlaybackBar : public QWidget {
   QToolButton* loop_ = nullptr;
   QToolButton* follow_ = nullptr;
   QComboBox* speed_ = nullptr;
-  QSlider* slider_ = nullptr;
+  MarkedSlider* slider_ = nullptr;
+  std::vector<double> marks_;
   QLabel* label_ = nullptr;
 };
 

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/scene/hand_bar.h"
 #include "ui/scene/playback_bar.h"
 #include "ui/scene/scene_hud.h"
 #include "ui/scene/scene_view.h"
@@ -22,6 +23,7 @@ ScenePanel::ScenePanel(QWidget* parent)
     : QWidget(parent),
       view_(createSceneView(this)),
       playback_(new PlaybackBar(this)),
+      hand_(new HandBar(view_, this)),
       tools_(new QToolBar(this)) {
   setObjectName(QStringLiteral("scenePanel"));
   setAccessibleName(tr("3D scene"));
@@ -32,6 +34,7 @@ ScenePanel::ScenePanel(QWidget* parent)
   column->addWidget(tools_);
   column->addWidget(view_, 1);
   column->addWidget(playback_);
+  column->addWidget(hand_);
   connect(playback_, &PlaybackBar::timeChanged, this, [this](double time) {
     view_->setTime(time);
     emit timeChanged(time);
@@ -136,9 +139,23 @@ void ScenePanel::updateRange() {
     playback_->setRange(recording_->value(0, 0), recording_->value(0, rows - 1), live);
     if (before != playback_->end() && !playback_->isFollowing()) view_->setTime(playback_->time());
   }
+  tellHand();
   if (live) return;
   growth_.stop();
   playback_->setFollowing(false);
+}
+
+/// Hands take a set-point from where it is.
+void ScenePanel::tellHand() {
+  static constexpr const char* kNames[] = {"setpoint.z", "setpoint.roll", "setpoint.pitch",
+                                           "setpoint.yaw"};
+  const std::size_t rows = recording_ ? recording_->rows() : 0;
+  if (rows == 0) return;
+  std::array<double, 4> asked{};
+  for (std::size_t i = 0; i < asked.size(); ++i)
+    if (const auto column = recording_->find(kNames[i]))
+      asked[i] = recording_->value(*column, rows - 1);
+  hand_->setAsked(asked);
 }
 
 void ScenePanel::setTime(double time) {

@@ -17,6 +17,7 @@ class QToolBar;
 
 namespace rotorbench {
 
+class HandBar;
 class PlaybackBar;
 class SceneView;
 enum class CameraMode;
@@ -44,6 +45,7 @@ class ScenePanel : public QWidget {
   [[nodiscard]] double time() const;
   [[nodiscard]] SceneView& view() { return *view_; }
   [[nodiscard]] PlaybackBar& playback() { return *playback_; }
+  [[nodiscard]] HandBar& hand() { return *hand_; }
 
  signals:
   /// The user scrubbed, playback went on, or a followed run grew.
@@ -57,9 +59,11 @@ class ScenePanel : public QWidget {
   QAction* addCamera(const char* name, const QString& text, const QString& key, CameraMode mode);
   void addSwitch(const char* name, const QString& text, bool SceneOptions::*option);
   void updateRange();
+  void tellHand();
 
   SceneView* view_;
   PlaybackBar* playback_;
+  HandBar* hand_;
   QToolBar* tools_;
   std::shared_ptr<const Recording> recording_;
   QTimer growth_;

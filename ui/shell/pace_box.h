@@ -3,7 +3,7 @@
 
 #include <QComboBox>
 
-#include "ui/runs/run_worker.h"
+#include "sim/run/run_worker.h"
 
 namespace rotorbench {
 

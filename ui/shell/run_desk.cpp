@@ -14,7 +14,9 @@
 #include "ui/forms/snapshot.h"
 #include "ui/runs/metrics_panel.h"
 #include "ui/runs/run_colors.h"
+#include "ui/runs/run_marks.h"
 #include "ui/runs/runs_panel.h"
+#include "ui/scene/playback_bar.h"
 #include "ui/scene/scene_panel.h"
 #include "ui/shell/log_panel.h"
 
@@ -41,7 +43,8 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
       bench_(bench),
       runs_(runs),
       controller_(controller),
-      planned_(documents) {
+      planned_(documents),
+      live_(documents, bench, runs, controller) {
   DocumentModel& model = documents_.model();
   drawTimer_.setSingleShot(true);
   drawTimer_.setInterval(kRedrawMilliseconds);
@@ -66,6 +69,7 @@ RunDesk::RunDesk(DocumentController& documents, Workbench& bench, RunList& runs,
   connect(&bench_.signalTree(), &SignalTree::channelsActivated, &bench_.charts(),
           &ChartGrid::addChannels);
   connect(&bench_.charts(), &ChartGrid::message, this, &RunDesk::message);
+  connect(&live_, &LiveFlight::message, this, &RunDesk::message);
   connect(&bench_.problems(), &ProblemsPanel::jumpTo, &bench_.experiment(),
           &ExperimentPanel::jumpTo);
   bench_.experiment().setChannelNames([this] {
@@ -182,6 +186,11 @@ void RunDesk::noteEnd(const RunRecord& record) {
     reject(record);
     bench_.bringUp(bench_.problems());
   }
+  if (status.changes && !status.changes->empty())
+    bench_.log().add(tr("%1 changed %n time(s) while it went on; its experiment keeps them and "
+                        "repeats it.",
+                        nullptr, static_cast<int>(status.changes->size()))
+                         .arg(record.name));
   for (const RunOutput& output : status.outputs) {
     if (output.recording->stride() > 1) {
       bench_.log().add(tr("%1 reached the memory limit: one row in %2 was kept at the end.")
@@ -211,6 +220,9 @@ void RunDesk::showRun(int id) {
   bench_.scene().setModel(vehicleOf(record->experiment));
   if (!sceneBound_) return;
   bench_.scene().setRecording(record->status.outputs.front().recording);
+  std::vector<double> times;
+  for (const RunMark& mark : marksOf(*record)) times.push_back(mark.time);
+  bench_.scene().playback().setMarks(std::move(times));
   if (isActive(record->status.state)) bench_.scene().followLive(true);
 }
 
@@ -232,12 +244,13 @@ void RunDesk::fillRunSet() {
     for (std::size_t i = 0; i < outputs.size(); ++i) {
       const QString part = QString::fromStdString(outputs[i].name);
       shown.push_back(
-          {QString("%1/%2").arg(record.id).arg(i),
+          {chartRunId(record.id, i),
            outputs.size() == 1 ? record.name
            : visible > 1       ? tr("%1 (%2)").arg(part, whose)
                                : part,
            outputs.size() > 1 ? runColor(record.id - 1 + static_cast<int>(i)) : record.color,
-           outputs[i].recording, record.visible, record.measured, outputs[i].absent});
+           outputs[i].recording, record.visible, record.measured, outputs[i].absent,
+           marksOf(record)});
     }
   }
   // The oldest first, so that the newest is drawn on top.
@@ -250,6 +263,7 @@ void RunDesk::fillRunSet() {
 }
 
 void RunDesk::drawDocument() {
+  bench_.scene().playback().setMarks({});
   bench_.scene().setRecording(nullptr);
   bench_.scene().setModel(vehicleOf(documents_.experiment()));
 }

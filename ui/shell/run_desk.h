@@ -9,6 +9,7 @@
 
 #include "ui/runs/run_controller.h"
 #include "ui/shell/document_controller.h"
+#include "ui/shell/live_flight.h"
 #include "ui/shell/planned_channels.h"
 #include "ui/shell/workbench.h"
 
@@ -64,6 +65,7 @@ class RunDesk : public QObject {
   };
   std::optional<Rejected> rejected_;
   PlannedChannels planned_;
+  LiveFlight live_;
   QTimer drawTimer_;
   Pace pace_;
   int shown_ = 0;            ///< the run in the scene

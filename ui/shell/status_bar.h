@@ -4,7 +4,7 @@
 
 #include <QStatusBar>
 
-#include "ui/runs/run_worker.h"
+#include "sim/run/run_worker.h"
 
 class QLabel;
 class QProgressBar;

@@ -26,6 +26,9 @@ class TestPid : public QObject {
   void outputStaysWithinTheLimit();
   void backCalculationPreventsWindUp();
   void withoutIntegralGainNothingIntegrates();
+  void otherGainsComeWithoutABump();
+  void withoutIntegralOtherGainsActAtOnce();
+  void gainsGivenAgainChangeNothing();
   void rateMustDivideTheTick_data();
   void rateMustDivideTheTick();
   void motorReachesItsSpeedWithinTheCurrentLimit_data();
@@ -109,6 +112,53 @@ void TestPid::withoutIntegralGainNothingIntegrates() {
   Pid pid(Parameters{.kp = 5, .ki = 0, .kd = 0, .limit = 1}, 1e-3);
   for (int k = 0; k < 100; ++k) pid.accept(pid.propose(10, k == 0 ? 0 : 1));
   QCOMPARE(pid.integral(), 0.0);
+}
+
+/// Whatever the gains become, the demand for what was just seen stays, and goes over from there:
+/// the derivative within its filter time.
+void TestPid::otherGainsComeWithoutABump() {
+  constexpr double h = 1e-3;
+  const Parameters first{.kp = 5, .ki = 2, .kd = 1, .setPointWeight = 0.6, .limit = 100};
+  const Parameters others[] = {
+      {.kp = 50, .ki = 2, .kd = 1, .setPointWeight = 0.6, .limit = 100},
+      {.kp = 0, .ki = 9, .kd = 4, .setPointWeight = 0.1, .limit = 100},
+      {.kp = 5, .ki = 2, .kd = 1, .setPointWeight = 1, .filterTime = 0.1, .limit = 100},
+  };
+  for (const Parameters& other : others) {
+    Pid pid(first, h);
+    pid.accept(pid.propose(0, 0));
+    double before = 0;
+    for (int k = 0; k < 1000; ++k) pid.accept(before = pid.propose(2, 1));
+    pid.retune(pidGains(other, h));
+    // An error of 1 goes on to be integrated; the derivative of what rests is over.
+    QVERIFY(std::abs(pid.propose(2, 1) - before - first.ki * h) < 1e-12);
+    pid.accept(before = pid.propose(2, 1));
+    QVERIFY(std::abs(pid.propose(2, 1) - before - other.ki * h) < 1e-12);
+  }
+}
+
+/// Nothing can take the difference up where nothing integrates: as the header says.
+void TestPid::withoutIntegralOtherGainsActAtOnce() {
+  Pid pid(Parameters{.kp = 5, .ki = 0, .kd = 0, .limit = 100}, 1e-3);
+  pid.accept(pid.propose(0, 0));
+  pid.accept(pid.propose(1, 0));
+  pid.retune(pidGains(Parameters{.kp = 8, .ki = 0, .kd = 0, .limit = 100}, 1e-3));
+  QCOMPARE(pid.propose(1, 0), 8.0);
+  QCOMPARE(pid.integral(), 0.0);
+}
+
+void TestPid::gainsGivenAgainChangeNothing() {
+  const Parameters p{.kp = 5.1, .ki = 2.3, .kd = 1.7, .setPointWeight = 0.6, .limit = 100};
+  Pid once(p, 1e-3), again(p, 1e-3);
+  for (int k = 0; k < 100; ++k) {
+    const double seen = std::sin(0.1 * k);
+    const double demand = once.propose(0.7, seen);
+    QCOMPARE(again.propose(0.7, seen), demand);
+    once.accept(demand);
+    again.accept(demand);
+    again.retune(pidGains(p, 1e-3));
+    QVERIFY(again.integral() == once.integral());
+  }
 }
 
 void TestPid::rateMustDivideTheTick_data() {

@@ -11,7 +11,7 @@
 #include <QtTest>
 
 #include "sim/run/simulation.h"
-#include "tests/ui/runs/fake_simulation.h"
+#include "tests/sim/run/fake_simulation.h"
 #include "ui/runs/metrics_panel.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_delegate.h"

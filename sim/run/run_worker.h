@@ -1,5 +1,5 @@
 // One run of an experiment on its own thread. The worker builds the Simulation, drives it in slices
-// of a few milliseconds and answers pause, step, stop and pace changes between two slices; whoever
+// of a few milliseconds and answers pause, step, stop, changes of the flight and of the pace between two slices; whoever
 // shows the run polls status() and reads the recordings' published rows. Nothing throws across the
 // thread: what goes wrong is part of the status. No Qt here, so that the thread sanitizer sees
 // every lock.
@@ -18,6 +18,7 @@
 
 #include "sim/core/error.h"
 #include "sim/core/metrics.h"
+#include "sim/document/changes.h"
 #include "sim/run/simulation.h"
 
 namespace rotorbench {
@@ -47,6 +48,9 @@ struct RunStatus {
   std::optional<RunFailure> failure;
   MetricTable metrics;            ///< filled at each pause and at the end
   std::vector<Verdict> verdicts;  ///< likewise
+  /// All changes of the experiment: laid down, or made while it ran. Never null once it is built.
+  std::shared_ptr<const std::vector<Change>> changes;
+  std::vector<Problem> refused;  ///< changes that could not be made, and why
 };
 
 class RunWorker {
@@ -67,6 +71,9 @@ class RunWorker {
   /// Ends the run here; recordings and metrics are kept.
   void stop();
   void setPace(Pace pace);
+  /// Changes the flight before its next tick, also while it pauses, or at the change's time if that
+  /// is still to come. status() says what came of it.
+  void change(Change change);
   /// Returns when the run has ended. From the thread that made the worker.
   void wait();
   [[nodiscard]] RunStatus status() const;
@@ -79,6 +86,7 @@ class RunWorker {
   void drive(Simulation& simulation);
   std::int64_t nextTicks(Simulation& simulation, std::unique_lock<std::mutex>& lock);
   std::int64_t pacedTicks(double tickSeconds, std::unique_lock<std::mutex>& lock);
+  void takeChanges(Simulation& simulation, std::unique_lock<std::mutex>& lock);
   void enterPause(Simulation& simulation, std::unique_lock<std::mutex>& lock);
   void anchor(double fraction);
   void afterSlice(std::int64_t ticks, Clock::duration spent, const Progress& progress);
@@ -95,6 +103,7 @@ class RunWorker {
   bool paused_ = false;
   bool reanchor_ = true;
   double stepSeconds_ = 0;
+  std::vector<Change> orders_;
 
   // What status() shows, under mutex_.
   RunStatus status_;

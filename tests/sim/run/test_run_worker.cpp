@@ -3,9 +3,9 @@
 #include <QElapsedTimer>
 #include <QtTest>
 
+#include "sim/run/run_worker.h"
 #include "sim/run/simulation.h"
-#include "tests/ui/runs/fake_simulation.h"
-#include "ui/runs/run_worker.h"
+#include "tests/sim/run/fake_simulation.h"
 
 using namespace rotorbench;
 
@@ -46,6 +46,8 @@ class TestRunWorker : public QObject {
   void slicesStayShort();
   void tellsTimeLeft();
   void readersWhileWriting();
+  void changesActAlsoInAPause();
+  void changesFromOtherThreads();
 };
 
 void TestRunWorker::finishes() {
@@ -208,6 +210,71 @@ void TestRunWorker::readersWhileWriting() {
     }
   }
   QCOMPARE(recording->rows(), std::size_t{50000});
+}
+
+void TestRunWorker::changesActAlsoInAPause() {
+  FakePlan plan;
+  plan.ticks = 20;
+  RunWorker worker(fake(plan), Pace{}, true);
+  worker.step(0.005);
+  QTRY_COMPARE(worker.status().outputs.empty() ? std::size_t{0} : rows(worker), std::size_t{5});
+  QTRY_COMPARE(worker.status().state, RunState::Paused);
+  QVERIFY(worker.status().changes != nullptr && worker.status().changes->empty());
+  worker.change({0, "weight", "10"});
+  worker.change({0, "height", "10"});
+  QTRY_COMPARE(worker.status().refused.size(), std::size_t{1});
+  QCOMPARE(worker.status().refused.front().message(), std::string("height: is unknown; weight"));
+  QCOMPARE(worker.status().state, RunState::Paused);
+  QCOMPARE(worker.status().changes->size(), std::size_t{1});
+  QCOMPARE(worker.status().changes->front().time, 0.005);
+  worker.resume();
+  worker.wait();
+  const Recording& r = *worker.status().outputs.at(0).recording;
+  QCOMPARE(r.value(1, 4), 5.0);
+  QCOMPARE(r.value(1, 5), 15.0);
+  QCOMPARE(r.value(1, 19), 155.0);
+}
+
+/// Two threads command, one reads, the worker counts: what it counted follows from its changes.
+void TestRunWorker::changesFromOtherThreads() {
+  FakePlan plan;
+  plan.ticks = 30000;
+  plan.tickCost = std::chrono::microseconds(10);
+  RunWorker worker(fake(plan), Pace{});
+  const auto command = [&worker](int seed) {
+    for (int k = 0; isActive(worker.status().state); ++k) {
+      worker.change({0, "weight", std::to_string((seed + 7 * k) % 10)});
+      if (k % 5 == seed) worker.pause();
+      if (k % 5 == seed) worker.step(0.003);
+      worker.resume();
+      worker.setPace({k % 3 == 0 ? 0.0 : 300.0});
+      std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+  };
+  std::thread one([&] { command(1); }), other([&] { command(2); });
+  while (isActive(worker.status().state)) {
+    const RunStatus status = worker.status();
+    if (status.outputs.empty()) continue;
+    const Recording& r = *status.outputs.front().recording;
+    if (r.rows() > 0) QVERIFY(r.value(1, r.rows() - 1) >= 0);
+  }
+  one.join();
+  other.join();
+  worker.wait();
+  const RunStatus status = worker.status();
+  QCOMPARE(status.state, RunState::Finished);
+  QVERIFY(status.changes->size() > 50);
+  const Recording& r = *status.outputs.front().recording;
+  double weight = 1, count = 0;
+  std::size_t next = 0;
+  for (std::size_t row = 0; row < r.rows(); ++row) {
+    for (; next < status.changes->size(); ++next) {
+      const Change& change = (*status.changes)[next];
+      if (change.time > (static_cast<double>(row) + 0.5) * plan.tickSeconds) break;
+      weight = std::stod(change.value);
+    }
+    QCOMPARE(r.value(1, row), count += weight);
+  }
 }
 
 QTEST_GUILESS_MAIN(TestRunWorker)

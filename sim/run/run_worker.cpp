@@ -1,4 +1,4 @@
-#include "ui/runs/run_worker.h"
+#include "sim/run/run_worker.h"
 
 #include <algorithm>
 #include <chrono>
@@ -74,6 +74,12 @@ void RunWorker::setPace(Pace pace) {
   wake_.notify_all();
 }
 
+void RunWorker::change(Change change) {
+  const std::lock_guard lock(mutex_);
+  orders_.push_back(std::move(change));
+  wake_.notify_all();
+}
+
 RunStatus RunWorker::status() const {
   const std::lock_guard lock(mutex_);
   return status_;
@@ -97,6 +103,7 @@ std::unique_ptr<Simulation> RunWorker::build() {
     const std::lock_guard lock(mutex_);
     status_.outputs = simulation->runs();
     status_.progress = simulation->progress();
+    status_.changes = std::make_shared<const std::vector<Change>>(simulation->changes());
     status_.state = RunState::Running;
     return simulation;
   } catch (const InputError& error) {
@@ -128,6 +135,7 @@ void RunWorker::drive(Simulation& simulation) {
 // How many ticks to compute now; 0 after a wait that an order or a deadline ended.
 std::int64_t RunWorker::nextTicks(Simulation& simulation, std::unique_lock<std::mutex>& lock) {
   if (stop_) return 0;
+  if (!orders_.empty()) takeChanges(simulation, lock);
   const double tick = simulation.tickSeconds();
   if (stepSeconds_ > 0) {
     stepTicks_ += std::max<std::int64_t>(1, std::llround(stepSeconds_ / tick));
@@ -161,6 +169,18 @@ std::int64_t RunWorker::pacedTicks(double tickSeconds, std::unique_lock<std::mut
   return ticks;
 }
 
+void RunWorker::takeChanges(Simulation& simulation, std::unique_lock<std::mutex>& lock) {
+  const std::vector<Change> orders = std::exchange(orders_, {});
+  lock.unlock();
+  std::vector<Problem> refused;
+  for (const Change& order : orders)
+    if (auto problem = simulation.change(order)) refused.push_back(std::move(*problem));
+  auto changes = std::make_shared<const std::vector<Change>>(simulation.changes());
+  lock.lock();
+  status_.changes = std::move(changes);
+  for (Problem& problem : refused) status_.refused.push_back(std::move(problem));
+}
+
 void RunWorker::enterPause(Simulation& simulation, std::unique_lock<std::mutex>& lock) {
   if (status_.state != RunState::Paused || stepped_) {
     stepped_ = false;
@@ -173,7 +193,7 @@ void RunWorker::enterPause(Simulation& simulation, std::unique_lock<std::mutex>&
     status_.secondsLeft.reset();
     status_.state = RunState::Paused;
   }
-  wake_.wait(lock, [this] { return stop_ || !paused_ || stepSeconds_ > 0; });
+  wake_.wait(lock, [this] { return stop_ || !paused_ || stepSeconds_ > 0 || !orders_.empty(); });
   reanchor_ = true;
 }
 
@@ -211,7 +231,8 @@ void RunWorker::finish(Simulation& simulation) {
   if (stopped) simulation.stop();
   MetricTable metrics = simulation.metrics();
   std::vector<Verdict> verdicts = simulation.verdicts();
-  const std::lock_guard lock(mutex_);
+  std::unique_lock lock(mutex_);
+  if (!orders_.empty()) takeChanges(simulation, lock);  // too late: they are refused
   status_.metrics = std::move(metrics);
   status_.verdicts = std::move(verdicts);
   status_.progress = simulation.progress();

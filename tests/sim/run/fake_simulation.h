@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "sim/document/changes.h"
 #include "sim/run/simulation.h"
 
 namespace rotorbench {
@@ -27,7 +28,8 @@ class FakeSimulation : public Simulation {
  public:
   explicit FakeSimulation(const FakePlan& plan) : plan_(plan) {
     for (std::size_t i = 0; i < plan.runs; ++i) {
-      const std::vector<Channel> channels{{"time", "s", "Time"}, {"count", "1", "Ticks done"}};
+      const std::vector<Channel> channels{{"time", "s", "Time"},
+                                          {"count", "1", "Weights of the ticks done"}};
       runs_.push_back({"run " + std::to_string(i + 1), std::make_shared<Recording>(channels)});
     }
   }
@@ -58,6 +60,15 @@ class FakeSimulation : public Simulation {
     return table;
   }
   [[nodiscard]] double tickSeconds() const override { return plan_.tickSeconds; }
+  /// The value of "weight" is what a tick counts from then on; anything else is refused.
+  std::optional<Problem> change(const Change& change) override {
+    if (change.parameter != "weight") return Problem{change.parameter, "is unknown", "weight"};
+    if (state_ != SimulationState::Running) return Problem{{}, "the run has ended", {}};
+    weight_ = std::stod(change.value);
+    changes_.push_back({static_cast<double>(done_) * plan_.tickSeconds, "weight", change.value});
+    return {};
+  }
+  [[nodiscard]] const std::vector<Change>& changes() const override { return changes_; }
 
  private:
   void tick() {
@@ -69,8 +80,8 @@ class FakeSimulation : public Simulation {
     }
     spend();
     ++done_;
-    const std::array<double, 2> row{static_cast<double>(done_) * plan_.tickSeconds,
-                                    static_cast<double>(done_)};
+    count_ += weight_;
+    const std::array<double, 2> row{static_cast<double>(done_) * plan_.tickSeconds, count_};
     for (const RunOutput& run : runs_) run.recording->append(row);
     if (done_ == plan_.ticks) end(SimulationState::Finished);
   }
@@ -89,6 +100,8 @@ class FakeSimulation : public Simulation {
   std::optional<RunFailure> failure_;
   SimulationState state_ = SimulationState::Running;
   std::int64_t done_ = 0;
+  double weight_ = 1, count_ = 0;
+  std::vector<Change> changes_;
 };
 
 }  // namespace rotorbench
