@@ -64,6 +64,10 @@ void Describe<Flight>::fields(schema::Builder<Flight>& b) {
           "at its end.");
   b.number("duration", &Flight::duration, "Duration", "T", "s")
       .range(schema::above(0), schema::upTo(36000));
+  b.boolean("endsAtGround", &Flight::endsAtGround, "Ends at the ground")
+      .help(
+          "The flight ends where the centre of mass comes down to height 0, once it has been 0.1 m "
+          "above. Otherwise there is no ground, and a vehicle falls on.");
   b.list("changes", &Flight::changes, "Changes")
       .items(0, 100000)
       .table()

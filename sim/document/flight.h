@@ -25,8 +25,9 @@ struct Flight {
   EnvironmentParameters environment;
   FlightStart start;
   ode::SolverSettings solver{.method = ode::Method::ExponentialRk4, .step = 1e-3};
-  double tick = 1e-3;           ///< s, period of the fastest task
-  double duration = 30;         ///< s
+  double tick = 1e-3;    ///< s, period of the fastest task
+  double duration = 30;  ///< s
+  bool endsAtGround = false;
   std::vector<Change> changes;  ///< during the flight, in the order of their times
   bool operator==(const Flight&) const = default;
 };

@@ -51,6 +51,11 @@ class Solver {
 
   /// Sampled: brings `y` from time() to `end`. Nothing happens if `end` is not later than time().
   Status advanceTo(double end, State& y) { return run(end, y, nullptr, true); }
+  /// The same, with events: a terminal one leaves time() and `y` at it, and Stopped is returned.
+  /// An event that holds at time() already is not found again.
+  Status advanceTo(double end, State& y, const Watch<State>& watch) {
+    return run(end, y, watch.wanted() ? &watch : nullptr, true);
+  }
 
   /// Free: the same in one go, showing `watch` every step and event on the way. A terminal event
   /// leaves time() and `y` at the event.

@@ -59,16 +59,16 @@ class DelayedCommands {
   double slack_;
 };
 
-/// Brings `y` to `end`, stopping at each instant between at which a command begins to act:
-/// act(time) takes it over.
-template <class Solver, class State, int N, class Act>
-ode::Status advanceWithCommands(Solver& solver, State& y, const DelayedCommands<N>& commands,
+/// Brings `y` to `end` by advance(time, y), stopping at each instant between at which a command
+/// begins to act: act(time) takes it over. Returns the first status that is not Done.
+template <class Advance, class State, int N, class Act>
+ode::Status advanceWithCommands(Advance&& advance, State& y, const DelayedCommands<N>& commands,
                                 double end, double tick, Act&& act) {
   for (double at = commands.next(); at < end - kTickRounding * tick; at = commands.next()) {
-    if (solver.advanceTo(at, y) == ode::Status::Failed) return ode::Status::Failed;
+    if (const ode::Status s = advance(at, y); s != ode::Status::Done) return s;
     act(at);
   }
-  return solver.advanceTo(end, y);
+  return advance(end, y);
 }
 
 }  // namespace rotorbench

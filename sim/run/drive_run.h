@@ -101,7 +101,8 @@ class DriveRun {
       commands_.take(time, acting);
       set(acting[0]);
     };
-    return advanceWithCommands(solver_, y_, commands_, end, tick_, act) != ode::Status::Failed;
+    const auto step = [this](double to, auto& y) { return solver_.advanceTo(to, y); };
+    return advanceWithCommands(step, y_, commands_, end, tick_, act) != ode::Status::Failed;
   }
   void command(double time) {
     asked_ = train_.allowedThrottle(commander_.throttle(time, train_, y_));

@@ -39,7 +39,8 @@ SimulationState FlightSimulation::advance(std::int64_t ticks) {
 }
 
 Progress FlightSimulation::progress() const {
-  return {static_cast<double>(done_) / static_cast<double>(ticks_), plant_->time(), "flying"};
+  const double share = static_cast<double>(done_) / static_cast<double>(ticks_);
+  return {endedAtEvent_ ? 1 : share, plant_->time(), "flying"};
 }
 
 void FlightSimulation::tick() {
@@ -49,10 +50,22 @@ void FlightSimulation::tick() {
   const double next =
       done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
   if (!prepare({t, next - t})) return;
-  if (plant_->advance(next) == ode::Status::Failed) return fail(plant_->failure());
+  const ode::Status reached = plant_->advance(next);
+  if (reached == ode::Status::Failed) return fail(plant_->failure());
+  if (reached == ode::Status::Stopped) return endAtEvent();
   if (++done_ < ticks_) return;
   // The last row shows where the flight ended.
   if (prepare({next, tickSeconds()})) end(SimulationState::Finished);
+}
+
+void FlightSimulation::endAtEvent() {
+  endedAtEvent_ = true;
+  plant_->observe(board_.truth);
+  watch_.see(plant_->time());
+  row_[0] = plant_->time();
+  plant_->row(row_.data() + 1);
+  if (!recording_->append(row_)) return failFull(plant_->time());
+  end(SimulationState::Finished);
 }
 
 std::optional<Problem> FlightSimulation::change(const Change& change) {

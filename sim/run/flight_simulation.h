@@ -40,6 +40,8 @@ class FlightSimulation final : public SimulationBase {
 
  private:
   void tick();
+  /// The row of an event between two ticks: tasks keep what they last said.
+  void endAtEvent();
   /// Everything of a tick but the integration. False if the run has ended.
   bool prepare(const ClockTick& tick);
 
@@ -52,6 +54,7 @@ class FlightSimulation final : public SimulationBase {
   Board board_;
   FlightWatch watch_;  ///< of board_
   std::int64_t every_, ticks_, done_ = 0;
+  bool endedAtEvent_ = false;
   std::vector<double> row_;  ///< time, the plant's, the tasks'
   std::size_t firstOfTasks_ = 0;
   Recording* recording_ = nullptr;

@@ -31,6 +31,9 @@ class MultirotorHandle final : public PlantHandle {
         y_(initialState(plant_, flight.start)),
         commands_(deadTimes(constants), flight.tick),
         tick_(flight.tick) {
+    if (flight.endsAtGround)
+      landing_.events.push_back(
+          {[](double /*t*/, const State& y) { return y[kHeight]; }, ode::Crossing::Falling, true});
     // Until the first command acts, the one that brought the rotors to their speeds does.
     if constexpr (kMotors) plant_.setCommand(y_.template segment<kRotors>(Layout::kDuty));
   }
@@ -94,10 +97,24 @@ class MultirotorHandle final : public PlantHandle {
       commands_.take(time, acting);
       if (set(acting)) solver_.restart();
     };
-    return advanceWithCommands(solver_, y_, commands_, end, tick_, act);
+    // Only who waits for an event pays for looking.
+    const bool watched = landing_.wanted() && hasBeenAloft();
+    const auto step = [this, watched](double to, State& y) {
+      return watched ? solver_.advanceTo(to, y, landing_) : solver_.advanceTo(to, y);
+    };
+    return advanceWithCommands(step, y_, commands_, end, tick_, act);
   }
 
  private:
+  /// m above the ground from which on it can be come back to: a controller that starts on it dips
+  /// before it holds the weight.
+  static constexpr double kAloft = 0.1;
+  static constexpr int kHeight = Layout::kPosition + 2;
+  bool hasBeenAloft() {
+    aloft_ = aloft_ || y_[kHeight] > kAloft;
+    return aloft_;
+  }
+
   /// A vehicle that hovers only at a tilt begins at it, unless it is given one.
   static State initialState(const Plant& plant, FlightStart start) {
     if (start.rotors != RotorStart::Hover) return plant.initialState(start);
@@ -148,6 +165,8 @@ class MultirotorHandle final : public PlantHandle {
   State y_, derivative_;
   DelayedCommands<kRotors> commands_;
   double tick_;
+  ode::Watch<State> landing_;  ///< of nothing, unless the flight ends at the ground
+  bool aloft_ = false;
   MultirotorForces<kRotors> forces_{};
   std::int64_t startEvaluations_ = 0;  ///< derivatives handed to the solver as the start of a step
 };

@@ -35,7 +35,8 @@ class PlantHandle {
   /// The air is another from time() on, of the same models. Between two ticks.
   virtual void setAir(const AirConstants& air) = 0;
   /// Brings the plant exactly to `end`; dead times are multiples of nothing, so the solver stops on
-  /// the way wherever a command begins to act.
+  /// the way wherever a command begins to act. Stopped: something happened on the way that ends the
+  /// flight; time() is when.
   virtual ode::Status advance(double end) = 0;
 
   [[nodiscard]] virtual const Supply& supply() const = 0;

@@ -127,9 +127,9 @@ void ChartPane::buildMenu() {
   QAction* marks = menu_->addAction(tr("Show changes of the flight"));
   marks->setObjectName(QStringLiteral("showMarks"));
   marks->setCheckable(true);
+  marks->setChecked(link_->marksShown());
   connect(marks, &QAction::triggered, link_, &ChartLink::setMarksShown);
-  connect(menu_, &QMenu::aboutToShow, marks,
-          [this, marks] { marks->setChecked(link_->marksShown()); });
+  connect(link_, &ChartLink::marksShownChanged, marks, &QAction::setChecked);
   menu_->addSeparator();
   toggle(tr("Logarithmic horizontal axis"), "logX", &ChartSpec::logX);
   toggle(tr("Logarithmic vertical axis"), "logY", &ChartSpec::logY);

@@ -69,7 +69,10 @@ HandBar::HandBar(QWidget* view, QWidget* parent)
     }
     showState();
   });
-  connect(back_, &QToolButton::clicked, this, &HandBar::giveAllBack);
+  connect(back_, &QToolButton::clicked, this, [this] {
+    giveAllBack();
+    if (isOn()) view_->setFocus(Qt::OtherFocusReason);
+  });
   view_->installEventFilter(this);
   showState();
 }

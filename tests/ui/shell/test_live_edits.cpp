@@ -222,7 +222,7 @@ void TestLiveEdits::windTurnsInTheScene() {
   const QString path = "setup.environment.wind.velocity";
   window.workbench().experiment().jumpTo(path);
   QVERIFY(labelOf(window, path).contains(QChar(0x25CF)));
-  auto* x = window.findChild<QLineEdit*>(path + ".x");
+  auto* x = window.findChild<QLineEdit*>(path + "[0]");
   QVERIFY(x != nullptr);
   x->setFocus();
   x->selectAll();
