@@ -123,6 +123,10 @@ std::string handPath(HandAxis axis) {
 
 }  // namespace
 
+bool hasSetPoints(const Flight& flight) {
+  return holdsAlternative<ControlledInputs>(flight.control);
+}
+
 std::vector<Change> takenByHand(HandAxis axis, double value) {
   const schema::Field& field = *schema::typeOf<HandSetPoints>().field(keyOf(axis));
   // Its value first: taken over with the one before, the vehicle would be shown a wrong one.

@@ -39,6 +39,8 @@ std::string flightPath(const std::string& path);
 
 /// The set-points that hands can take from the timeline.
 enum class HandAxis { Height, Roll, Pitch, Yaw };
+/// Whether a flight has set-points that a hand can take.
+bool hasSetPoints(const Flight& flight);
 /// The hand takes a set-point, or moves it: to `value`, m or rad.
 std::vector<Change> takenByHand(HandAxis axis, double value);
 /// The timeline has it again.

@@ -1,7 +1,6 @@
 #include "ui/shell/live_flight.h"
 
 #include "sim/document/changes.h"
-#include "sim/document/controlled_inputs.h"
 #include "sim/document/flight.h"
 #include "ui/charts/run_set.h"
 #include "ui/forms/experiment_panel.h"
@@ -47,7 +46,7 @@ void LiveFlight::begin() {
   told_ = std::make_unique<Flight>(flight);
   refused_ = 0;
   bench_.experiment().setFlying(record->name);
-  bench_.scene().hand().setFlying(holdsAlternative<ControlledInputs>(flight.control));
+  bench_.scene().hand().setFlying(hasSetPoints(flight));
 }
 
 void LiveFlight::end() {
