@@ -1,8 +1,8 @@
 // One run of an experiment on its own thread. The worker builds the Simulation, drives it in slices
-// of a few milliseconds and answers pause, step, stop, changes of the flight and of the pace between two slices; whoever
-// shows the run polls status() and reads the recordings' published rows. Nothing throws across the
-// thread: what goes wrong is part of the status. No Qt here, so that the thread sanitizer sees
-// every lock.
+// of a few milliseconds and answers pause, step, stop, changes of the flight and of the pace
+// between two slices; whoever shows the run polls status() and reads the recordings' published
+// rows. Nothing throws across the thread: what goes wrong is part of the status. No Qt here, so
+// that the thread sanitizer sees every lock.
 #pragma once
 
 #include <chrono>

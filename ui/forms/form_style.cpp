@@ -58,7 +58,7 @@ QColor severityColour(Severity severity, const QPalette& palette) {
 }
 
 QString liveMarkHtml(const QPalette& palette) {
-  return QStringLiteral(" <span style=\"color:%1\">%2</span>")
+  return QStringLiteral("&nbsp;<span style=\"color:%1\">%2</span>")
       .arg(palette.color(QPalette::Highlight).name(), kLiveMark);
 }
 

@@ -92,7 +92,7 @@ void RunList::announce(int id) {
 int RunList::add(const Experiment& experiment) {
   RunRecord record;
   record.name = tr("Run %1: %2").arg(nextId_).arg(QString::fromStdString(experiment.title));
-  record.experiment = experiment;
+  record.begun = record.experiment = experiment;
   record.status.state = RunState::Building;
   return insert(std::move(record), !sameInputs(experiment, current_));
 }
@@ -131,8 +131,7 @@ void RunList::setStatus(int id, RunStatus status) {
   record->status = std::move(status);
   if (changed) {
     setChanges(record->experiment, *record->status.changes);
-    const auto row = static_cast<std::size_t>(rowOf(id));
-    outOfDate_[row] = !sameInputs(record->experiment, current_);
+    record->changed = !(record->experiment == record->begun);
   }
   announce(id);
   if (changed) emit changesMade(id);
@@ -176,7 +175,7 @@ void RunList::remove(int id) {
 void RunList::setCurrentExperiment(const Experiment& experiment) {
   current_ = experiment;
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    const bool outOfDate = !records_[i].measured && !sameInputs(records_[i].experiment, current_);
+    const bool outOfDate = !records_[i].measured && !sameInputs(records_[i].begun, current_);
     if (outOfDate == outOfDate_[i]) continue;
     outOfDate_[i] = outOfDate;
     announce(records_[i].id);
@@ -191,8 +190,9 @@ QVariant RunList::data(const QModelIndex& index, int role) const {
   if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
   const auto row = static_cast<std::size_t>(index.row());
   const RunRecord& record = records_[row];
-  const QString detail =
-      outOfDate_[row] ? tr("%1 · older inputs").arg(runDetail(record)) : runDetail(record);
+  QString detail = runDetail(record);
+  if (record.changed) detail = tr("%1 · changed in flight").arg(detail);
+  if (outOfDate_[row]) detail = tr("%1 · older inputs").arg(detail);
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:

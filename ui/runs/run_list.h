@@ -21,7 +21,9 @@ struct RunRecord {
   QDateTime started;
   bool visible = true;
   bool measured = false;  ///< imported data: there is a recording, but no experiment it came from
+  Experiment begun;       ///< as it was when the run began
   Experiment experiment;  ///< with all that has changed while it ran: repeats the run
+  bool changed = false;   ///< something has
   RunStatus status;       ///< with the recordings
 };
 

@@ -42,7 +42,7 @@ HandBar::HandBar(QWidget* view, QWidget* parent)
     : QWidget(parent),
       view_(view),
       on_(textButton(this, "flyByHand", tr("Fly by hand"))),
-      back_(textButton(this, "backToTimeline", tr("Back to the timeline"))),
+      back_(textButton(this, "backToTimeline", tr("Give back"))),
       label_(new QLabel(this)) {
   setObjectName(QStringLiteral("handBar"));
   setAccessibleName(tr("Flying by hand"));
@@ -181,20 +181,20 @@ void HandBar::showState() {
   };
   QStringList parts;
   if (const auto& height = hand_[at(HandAxis::Height)])
-    parts << tr("height %1 m").arg(locale.toString(*height, 'f', 2));
+    parts << tr("z %1 m").arg(locale.toString(*height, 'f', 2));
   if (const auto& roll = hand_[at(HandAxis::Roll)]) parts << tr("roll %1").arg(degrees(*roll));
   if (const auto& pitch = hand_[at(HandAxis::Pitch)]) parts << tr("pitch %1").arg(degrees(*pitch));
   if (const auto& yaw = hand_[at(HandAxis::Yaw)]) parts << tr("yaw %1").arg(degrees(*yaw));
   back_->setEnabled(!parts.isEmpty());
   QString text;
   if (!parts.isEmpty()) {
-    text = tr("In the hand: %1").arg(parts.join(QStringLiteral(", ")));
+    text = parts.join(QStringLiteral(", "));
   } else if (isOn()) {
     text = flying_ ? tr("Arrows tilt, W S climb and sink, A D turn, Home: back")
                    : tr("Keys act while a flight goes on.");
   }
   label_->setText(text);
-  label_->setToolTip(text);
+  label_->setToolTip(parts.isEmpty() ? text : tr("In the hand: %1").arg(text));
 }
 
 }  // namespace rotorbench

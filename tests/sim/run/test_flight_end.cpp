@@ -27,7 +27,7 @@ Experiment thrown(const char* method, const char* more) {
   return readExperiment(
       std::string(R"({"rotorbench": 1, "setup": {"type": "flight", "duration": 3, "tick": "10 ms",
     "control": {"type": "motor-voltages", "source": {"type": "constant", "voltages": [0, 0, 0, 0]}},
-    "environment": {"air": {"type": "uniform", "density": 0}},
+    "vehicle": {"drag": {"linear": 0}}, "environment": {"air": {"type": "uniform", "density": 0}},
     "start": {"position": [0, 0, 1], "velocity": [0.5, 0, 3], "rotors": "stopped"},
     "solver": {"method": ")") +
           method + R"(", "step": "5 ms"})" + more + "}}",

@@ -217,6 +217,7 @@ void TestLiveFlight::handsTakeSetPoints() {
 void TestLiveFlight::figuresKnowWhatWasAsked() {
   Experiment e = loadExperiment(EXPERIMENTS_DIR "/f450-hover-and-steps.json");
   flightOf(e).duration = 7;
+  flightOf(e).start.position.z() = 1;
   auto& inputs = alternative<ControlledInputs>(flightOf(e).control);
   inputs.setPoints = {{0, 1, 0, 0, 0}, {5, 1, 0.5, 0, 0}};
   inputs.byHand.rollByHand = true;
