@@ -1,5 +1,9 @@
 #include "sim/numerics/cubic_table.h"
 
+#include <cstdint>
+#include <istream>
+#include <ostream>
+
 namespace rotorbench {
 
 CubicTable::CubicTable(const RefinedGrid& grid) {
@@ -48,6 +52,36 @@ CubicTable::CubicTable(const RefinedGrid& grid) {
       margin(2, place(a, b, points[2]), -slab);
     }
   }
+}
+
+void CubicTable::write(std::ostream& out) const {
+  for (const std::uint64_t stride : stride_)
+    out.write(reinterpret_cast<const char*>(&stride), sizeof stride);
+  out.write(reinterpret_cast<const char*>(values_.data()),
+            static_cast<std::streamsize>(values_.size() * sizeof(float)));
+}
+
+bool CubicTable::read(std::istream& in) {
+  // No table is larger: a number that says so was never one.
+  constexpr std::uint64_t kMost = 1 << 20;
+  std::uint64_t count = kGridValues;
+  for (std::size_t axis = 0; axis < kGridAxes; ++axis) {
+    std::uint64_t stride = 0;
+    in.read(reinterpret_cast<char*>(&stride), sizeof stride);
+    if (!in || stride < 4 || stride > kMost || count > (std::uint64_t{1} << 40) / stride)
+      return false;
+    stride_[axis] = stride;
+    last_[axis] = static_cast<double>(stride - 3);
+    count *= stride;
+  }
+  const std::istream::pos_type here = in.tellg();
+  const std::istream::pos_type end = in.seekg(0, std::ios::end).tellg();
+  if (!in || static_cast<std::uint64_t>(end - here) != count * sizeof(float)) return false;
+  in.seekg(here);
+  values_.resize(count);
+  in.read(reinterpret_cast<char*>(values_.data()),
+          static_cast<std::streamsize>(count * sizeof(float)));
+  return static_cast<bool>(in);
 }
 
 }  // namespace rotorbench

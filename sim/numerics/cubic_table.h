@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <iosfwd>
 #include <vector>
 
 #include "sim/core/scalar.h"
@@ -36,6 +37,10 @@ class CubicTable {
  public:
   CubicTable() = default;
   explicit CubicTable(const RefinedGrid& grid);
+
+  /// The table as bytes of this machine. read() returns whether there was one.
+  void write(std::ostream& out) const;
+  bool read(std::istream& in);
 
   /// Values at coordinates from 0 to 1; the nearest end holds outside. No heap, no exception.
   template <class S>

@@ -25,6 +25,7 @@ RotorLoad<double> BenchedPropeller::load(double omega, const Eigen::Vector3d& v,
   const Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   if (const auto* map = prepared<PropellerMap>())
     return map->load(omega, v, axis, 1, air.density, air.viscosity);
+  if (const auto* blades = bladeElements()) return blades->load(omega, v, axis, 1, air);
   if (const auto* table = prepared<CoefficientTable>())
     return table->load(omega, v, axis, 1, air.density);
   return lumped_.load<double>(omega, v, axis, 1.0, air.density);
@@ -40,11 +41,9 @@ AxialLoad BenchedPropeller::axial(double omega, double axialSpeed, const AirStat
 
 EdgewiseLoad BenchedPropeller::oblique(double omega, double axialSpeed, double inPlaneSpeed,
                                        const AirState& air) const {
-  if (const auto* blades = bladeElements())
-    return {blades->oblique(omega, axialSpeed, inPlaneSpeed, air), 0};
   // e1 is the body's x, e2 its y.
   const RotorLoad<double> l = load(omega, {inPlaneSpeed, 0, axialSpeed}, air);
-  return {{l.thrust, l.torque, -l.force.x(), l.moment.x()}, l.moment.y()};
+  return {{l.thrust, l.torque, -l.force.x(), l.moment.x()}, l.force.y(), l.moment.y()};
 }
 
 const BladeElementRotor* BenchedPropeller::bladeElements() const {

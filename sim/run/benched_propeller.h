@@ -10,9 +10,10 @@
 
 namespace rotorbench {
 
-/// Loads in an edgewise stream; blades that flap give one moment more.
+/// Loads in an edgewise stream, in the frame of ObliqueLoad.
 struct EdgewiseLoad : ObliqueLoad {
-  double pitchMoment = 0;  ///< N m about e2 of ObliqueLoad
+  double side = 0;         ///< N along e2
+  double pitchMoment = 0;  ///< N m about e2
 };
 
 class BenchedPropeller {
@@ -30,8 +31,6 @@ class BenchedPropeller {
   [[nodiscard]] EdgewiseLoad oblique(double omega, double axialSpeed, double inPlaneSpeed,
                                      const AirState& air) const;
 
-  /// True for the models with a coefficient of flapping; the others have rigid blades.
-  [[nodiscard]] bool flaps() const { return !bladeElements() && !prepared<PropellerMap>(); }
   /// Blade elements; null for other models.
   [[nodiscard]] const BladeElementRotor* bladeElements() const;
 

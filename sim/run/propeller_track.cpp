@@ -48,8 +48,6 @@ std::vector<AbsentChannels> PropellerTrack::absent() const {
          {"along_blade.", "vortex_ring_share", "over_advance.vortex_ring_share"})
       absent.push_back({beginning, reason});
   }
-  if (!propeller_.flaps())
-    absent.push_back({"edgewise.pitch", "The blades of this model are rigid: they do not flap."});
   if (!measured_)
     absent.push_back({"beyond_measured", "Only a measured propeller has limits to go beyond."});
   return absent;
@@ -127,9 +125,9 @@ void PropellerTrack::addCurves(const AddRun& addRun) {
       {"edgewise.torque", "N*m", "Torque against the rotation"},
       {"edgewise.power", "W", "Power on the shaft"},
       {"edgewise.drag", "N", "In-plane force against the motion of the hub (H-force)"},
-      {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"}};
-  if (propeller_.flaps())
-    edgewise.push_back({"edgewise.pitch", "N*m", "Hub moment of the flapping blades"});
+      {"edgewise.roll", "N*m", "Hub moment, thrust across the motion of the hub"},
+      {"edgewise.side", "N", "In-plane force across the motion of the hub, the retreating side +"},
+      {"edgewise.pitch", "N*m", "Hub moment, below 0 where thrust is ahead of the hub"}};
   addCurve(addRun, "Edgewise", std::move(edgewise), at_.points, &Track::edgewise);
 }
 
@@ -196,9 +194,8 @@ void PropellerTrack::edgewise(Recording& r, double place) {
   const double ratio = at_.mostEdgewiseRatio * place;
   const double v = ratio * at_.speed * propeller_.radius();
   const EdgewiseLoad load = propeller_.oblique(at_.speed, at_.airSpeed, v, air_);
-  row_.assign(
-      {ratio, v, load.thrust, load.torque, load.torque * at_.speed, load.drag, load.rollMoment});
-  if (propeller_.flaps()) row_.push_back(load.pitchMoment);
+  row_.assign({ratio, v, load.thrust, load.torque, load.torque * at_.speed, load.drag,
+               load.rollMoment, load.side, load.pitchMoment});
   r.append(row_);
 }
 

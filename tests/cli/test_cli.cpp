@@ -394,6 +394,39 @@ class TestCli : public QObject {
     QVERIFY(contents(directory.filePath("out/recording.csv")).count('\n') > 2);
   }
 
+  /// A program changes the flight by lines; what it wrote repeats by the plain command. Wrong lines
+  /// are named and change nothing.
+  void liveRunRepeats() {
+    QTemporaryDir folder;
+    const QString live = folder.filePath("live"), again = folder.filePath("again");
+    QProcess process;
+    process.start(ROTORBENCH_CLI, {"run", shipped("f450-hover-and-steps"), "--set",
+                                   "setup.duration=3", "--live", "--pace", "4", "-o", live});
+    process.write(
+        "# a comment\nat 0.5 control.byHand.height=1.5\nat 0.5 control.byHand.heightByHand=on\n"
+        "control.controller.rate=100\nstep back\nnonsense\n");
+    QVERIFY(process.waitForBytesWritten());
+    QTest::qWait(200);
+    process.write("pause\ncontrol.controller.roll.kp=60\nstep 0.1\nresume\npace 0\n");
+    process.closeWriteChannel();
+    QVERIFY(process.waitForFinished(60000));
+    QCOMPARE(process.exitCode(), 2);
+    const QByteArray said = process.readAllStandardError();
+    QVERIFY2(said.contains("not changed: control.controller.rate: cannot change"), said);
+    QVERIFY2(said.contains("stdin:5: \"back\" is not allowed; must be a number above 0"), said);
+    QVERIFY2(said.contains("stdin:6: \"nonsense\" is not a command"), said);
+    const QByteArray experiment = contents(live + "/experiment.json");
+    QVERIFY(experiment.contains(R"({"time": 0.5, "parameter": "control.byHand.height")"));
+    QCOMPARE(experiment.count("\"parameter\""), qsizetype{3});
+    QCOMPARE(cli({"run", live + "/experiment.json", "-o", again}).code, 0);
+    QCOMPARE(contents(again + "/recording.csv"), contents(live + "/recording.csv"));
+    QCOMPARE(contents(again + "/metrics.json"), contents(live + "/metrics.json"));
+    QVERIFY(!contents(again + "/recording.csv").isEmpty());
+    // Only flights; and a pace only with them.
+    QCOMPARE(cli({"run", shipped("motor-bench-e305"), "--live"}).code, 2);
+    QVERIFY(cli({"run", shipped("f450-hover-and-steps"), "--pace", "2"}).code != 0);
+  }
+
   void setCommandWritesAFile() {
     QTemporaryDir directory;
     const QString file = directory.filePath("new.json");

@@ -70,6 +70,20 @@ void Describe<BladeSection>::fields(schema::Builder<BladeSection>& b) {
   b.variant("model", &BladeSection::model, "Section");
 }
 
+void Describe<RigidBlades>::fields(schema::Builder<RigidBlades>& b) {
+  b.title("rigid", "Rigid blades", "Blades that do not bend: all their moments reach the hub.");
+}
+
+void Describe<FlappingBlades>::fields(schema::Builder<FlappingBlades>& b) {
+  b.title("flapping", "Flapping blades",
+          "Blades on a hinge at the centre, or that bend as if they were: in forward flight the "
+          "plane of their tips tilts, and the thrust with it.",
+          "Leishman, Principles of Helicopter Aerodynamics, 2nd ed., sections 4.5 to 4.7");
+  b.number("stiffness", &FlappingBlades::stiffness, "Flap stiffness", "k_\u03b2", "N*m/rad")
+      .range(schema::atLeast(0), schema::upTo(1e6))
+      .help("Moment at the root of one blade per angle; 0 for a free hinge or a teetering hub.");
+}
+
 void Describe<PropellerGeometry>::fields(schema::Builder<PropellerGeometry>& b) {
   using G = PropellerGeometry;
   b.title("geometry", "Propeller geometry", "Chord, twist and section along the blade.",
@@ -98,6 +112,10 @@ void Describe<PropellerGeometry>::fields(schema::Builder<PropellerGeometry>& b) 
   schema::risingList(b, "stations", &G::stations, "Stations", &BladeStation::radius, kRadii)
       .items(1, 500)
       .table();
+  b.variant("root", &G::root, "Blade roots")
+      .untyped()
+      .help("Where the blades are held: what forward flight does to them.")
+      .advanced();
   schema::risingList(b, "sections", &G::sections, "Sections", &BladeSection::radius, kRadii)
       .items(1, 50);
 }

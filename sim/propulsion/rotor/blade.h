@@ -30,6 +30,19 @@ struct BladeSection {
   bool operator==(const BladeSection&) const = default;
 };
 
+/// Blades that do not bend.
+struct RigidBlades {
+  bool operator==(const RigidBlades&) const = default;
+};
+
+/// Blades on a hinge at the centre, or bending as if they were.
+struct FlappingBlades {
+  double stiffness = 0;  ///< N m/rad of one blade; 0: freely hinged, or teetering
+  bool operator==(const FlappingBlades&) const = default;
+};
+
+using BladeRoot = std::variant<RigidBlades, FlappingBlades>;
+
 /// Blades of a propeller. Default: a 10 x 4.7 inch slow-flyer propeller.
 struct PropellerGeometry {
   double diameter = 0.254;  ///< m
@@ -40,6 +53,7 @@ struct PropellerGeometry {
   double rootRadius = 0.15;  ///< r/R inside which there is a hub but no blade
   std::vector<BladeStation> stations = slowFlyer10x47();
   std::vector<BladeSection> sections{BladeSection{}};
+  BladeRoot root;
   bool operator==(const PropellerGeometry&) const = default;
 
   static std::vector<BladeStation> slowFlyer10x47();
@@ -67,6 +81,14 @@ struct Describe<BladeStation> {
 template <>
 struct Describe<BladeSection> {
   static void fields(schema::Builder<BladeSection>& b);
+};
+template <>
+struct Describe<RigidBlades> {
+  static void fields(schema::Builder<RigidBlades>& b);
+};
+template <>
+struct Describe<FlappingBlades> {
+  static void fields(schema::Builder<FlappingBlades>& b);
 };
 template <>
 struct Describe<PropellerGeometry> {

@@ -1,5 +1,6 @@
 #include "sim/propulsion/rotor/blade_element.h"
 
+#include <algorithm>
 #include <limits>
 
 #include "sim/core/constants.h"
@@ -128,8 +129,34 @@ BladeElementRotor::BladeElementRotor(const PropellerGeometry& geometry,
     }
     elements_.push_back(e);
   }
+  prepareDisc(geometry);
   const int half = (settings.azimuths + 1) / 2;
   for (int i = 0; i < half; ++i) azimuths_.push_back(std::sin(kPi * ((i + 0.5) / half - 0.5)));
+}
+
+void BladeElementRotor::prepareDisc(const PropellerGeometry& geometry) {
+  constexpr double kPlace = 0.75;    // r/R of the section that stands for all
+  constexpr double kReynolds = 1e5;  // at which its lift slope is taken
+  constexpr double kSpan = 0.05;     // rad beyond the zero lift, short of every stall
+  const auto nearest = std::ranges::min_element(
+      elements_, {}, [this](const Element& e) { return std::abs(e.radius - kPlace * radius_); });
+  double slope = 0;
+  withCurve(*nearest, kReynolds, [&](const auto& curve) {
+    const double zero = curve.zeroLift();
+    slope = (curve.at(zero + kSpan).lift - curve.at(zero).lift) / kSpan;
+  });
+  disc_.radius = radius_;
+  disc_.area = kPi * radius_ * radius_;
+  disc_.momentumFactor = momentumFactor_;
+  for (const Element& e : elements_) {
+    const double strip = blades_ * slope * e.chord * e.width * e.radius;
+    disc_.swayIntegral += strip;
+    disc_.flapIntegral += strip * e.radius * e.radius;
+  }
+  if (const auto* flapping = std::get_if<FlappingBlades>(&geometry.root)) {
+    disc_.flapping = true;
+    disc_.stiffness = blades_ * flapping->stiffness / 2;
+  }
 }
 
 template <class Use>
@@ -286,12 +313,12 @@ RotorLoad<double> BladeElementRotor::load(double w, const Eigen::Vector3d& v,
     return l;
   }
   const ObliqueLoad o = oblique(std::abs(w), axialSpeed, inPlaneSpeed, air);
-  const Eigen::Vector3d e1 = inPlane / inPlaneSpeed;
-  l.force = o.thrust * front - o.drag * e1;
-  l.moment = spin * (o.rollMoment * e1 - o.torque * front);
-  l.thrust = sign * o.thrust;
-  l.torque = sign * o.torque;
-  return l;
+  const EvenLoad<double> even{o.thrust, o.torque, o.drag / inPlaneSpeed,
+                              o.rollMoment / inPlaneSpeed};
+  const auto disc = air.density > 0 ? discResponse<double>(disc_, even, std::abs(w), axialSpeed,
+                                                           inPlaneSpeed * inPlaneSpeed, air.density)
+                                    : DiscLoad<double>{even, 0, 0};
+  return bodyLoad<double, Eigen::Vector3d>(disc, inPlane, axis, spin, sign);
 }
 
 void Describe<BladeElementSettings>::fields(schema::Builder<BladeElementSettings>& b) {

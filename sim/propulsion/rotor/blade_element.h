@@ -10,8 +10,9 @@
 // where stall leaves an annulus several solutions in descent, a mean of them is taken
 // (inflow_root.h). In oblique flow the sections are averaged over the azimuth at one induced
 // velocity and one swirl per annulus, the swirl going with the share of the turning in the mean
-// square of the tangential speed (ours: QPROP's swirl is one of axial flow); blades are rigid, and
-// radial flow, dynamic stall and the skew of the inflow are left out.
+// square of the tangential speed (ours: QPROP's swirl is one of axial flow), blades being rigid. The
+// skew of the inflow and flapping come in closed form afterwards (disc_response.h); radial flow and
+// dynamic stall are left out.
 //   axial:   H. Glauert, Airplane propellers, in Durand IV, 1935; M. Drela, QPROP formulation,
 //            2006;
 //            S. A. Ning, Wind Energy 17, 2014 (bracketing)
@@ -24,6 +25,7 @@
 #include <vector>
 
 #include "sim/propulsion/rotor/blade.h"
+#include "sim/propulsion/rotor/disc_response.h"
 #include "sim/propulsion/rotor/rotor_load.h"
 
 namespace rotorbench {
@@ -65,9 +67,9 @@ struct AxialLoad {
 };
 
 /// Loads in oblique flow, in the frame of the in-plane hub velocity: e1 along it, e2 = s (axis x
-/// e1), s the spin. As the skew of the inflow is left out, a blade ahead of the hub meets the air
-/// as one behind it does: so there is neither a force along e2 nor a moment of thrust times
-/// distance along e1.
+/// e1), s the spin. Of rigid blades in an even inflow: a blade ahead of the hub meets the air as one
+/// behind it does, so there is neither a force along e2 nor a moment of thrust times distance along
+/// e1.
 struct ObliqueLoad {
   double thrust = 0;  ///< N along the axis
   double torque = 0;  ///< N m against the rotation
@@ -111,6 +113,8 @@ class BladeElementRotor {
                                        const Eigen::Vector3d& axis, double spin,
                                        const AirState& air) const;
 
+  /// What discResponse() takes of the propeller.
+  [[nodiscard]] const DiscConstants& disc() const { return disc_; }
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] int elements() const { return static_cast<int>(elements_.size()); }
 
@@ -126,6 +130,7 @@ class BladeElementRotor {
   };
   using PreparedSection = std::variant<AnalyticSection, PreparedPolars>;
 
+  void prepareDisc(const PropellerGeometry& geometry);
   template <class Use>
   void withCurve(const Element& element, double reynolds, const Use& use) const;
   template <class Curve>
@@ -141,7 +146,26 @@ class BladeElementRotor {
   std::vector<double>
       azimuths_;  // their sines, from the rear to the front: the other half of the circle is alike
   double radius_ = 0, blades_ = 2, momentumFactor_ = 1;
+  DiscConstants disc_;
 };
+
+/// Force and moment in body axes of what discResponse() gives: `inPlane` velocity in m/s, unit
+/// axis, spin +1 or -1; `front` is +1, or -1 where the propeller turns backwards.
+template <class S, class Vector, class Axis>
+RotorLoad<S, Vector> bodyLoad(const DiscLoad<S>& l, const Vector& inPlane, const Axis& axis,
+                              double spin, double front) {
+  RotorLoad<S, Vector> body;
+  body.thrust = front * l.thrust;
+  body.torque = front * l.torque;
+  for (int k = 0; k < 3; ++k) {
+    const int i = (k + 1) % 3, j = (k + 2) % 3;
+    // e2 times the in-plane speed is spin times this; both turn over with the axis.
+    const S across = front * (axis[i] * inPlane[j] - axis[j] * inPlane[i]);
+    body.force[k] = body.thrust * axis[k] - l.drag * inPlane[k] + l.side * (spin * across);
+    body.moment[k] = spin * (l.roll * inPlane[k] - body.torque * axis[k]) - l.pitch * across;
+  }
+  return body;
+}
 
 template <>
 struct Describe<BladeElementSettings> {

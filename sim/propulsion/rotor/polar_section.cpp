@@ -13,6 +13,9 @@ constexpr double kCell = 2 * kPi / kCells;
 /// drop of lift behind the stall in Hoerner's and Viterna's curves.
 constexpr double kGlide = 10 * kPi / 180;
 constexpr double kDelayLimit = 0.95;  // of the lift lost in stall, as in the analytic section
+/// Reynolds numbers over which the drag of a single polar is carried: those of the aerofoils its
+/// exponent was seen at, and a little below.
+constexpr double kLeastCarried = 1e4, kMostCarried = 1e6;
 constexpr double kDelayFade = 0.6, kDelayFadeWidth = 0.1;  // rad, likewise
 
 SectionCoefficients plate(double alpha, double leastDrag) {
@@ -47,12 +50,9 @@ std::vector<Polar> PolarSection::thinSection() {
 }
 
 PolarTable::PolarTable(const Polar& polar) : logReynolds_(std::log(polar.reynolds)) {
-  const double leastDrag =
-      std::min_element(polar.points.begin(), polar.points.end(), [](const auto& a, const auto& b) {
-        return a.drag < b.drag;
-      })->drag;
+  leastDrag_ = std::ranges::min_element(polar.points, {}, &PolarPoint::drag)->drag;
   values_.reserve(kCells + 1);
-  for (int i = 0; i <= kCells; ++i) values_.push_back(extended(polar, i * kCell - kPi, leastDrag));
+  for (int i = 0; i <= kCells; ++i) values_.push_back(extended(polar, i * kCell - kPi, leastDrag_));
   values_.back() = values_.front();
   findZeroLift(polar);
 }
@@ -83,18 +83,21 @@ PolarTable::Position PolarTable::locate(double alpha) {
   return {static_cast<std::size_t>(index), cells - index};
 }
 
-PolarCurve::PolarCurve(const PolarTable& low, const PolarTable& high, double weight, double delay)
+PolarCurve::PolarCurve(const PolarTable& low, const PolarTable& high, double weight, double delay,
+                       double moreDrag)
     : low_(&low),
       high_(&high),
       weight_(weight),
       delay_(delay),
       zeroLift_((1 - weight) * low.zeroLift() + weight * high.zeroLift()),
-      slope_((1 - weight) * low.liftSlope() + weight * high.liftSlope()) {}
+      slope_((1 - weight) * low.liftSlope() + weight * high.liftSlope()),
+      moreDrag_(moreDrag) {}
 
 SectionCoefficients PolarCurve::at(double alpha) const {
   const PolarTable::Position place = PolarTable::locate(alpha);
   const SectionCoefficients a = low_->at(place), b = high_->at(place);
-  SectionCoefficients c{a.lift + weight_ * (b.lift - a.lift), a.drag + weight_ * (b.drag - a.drag)};
+  SectionCoefficients c{a.lift + weight_ * (b.lift - a.lift),
+                        a.drag + weight_ * (b.drag - a.drag) + moreDrag_};
   const double lost = slope_ * (alpha - zeroLift_) - c.lift;
   if (delay_ > 0 && alpha > zeroLift_ && lost > 0) {
     c.lift += delay_ * logistic((kDelayFade - std::abs(alpha)) / kDelayFadeWidth) * lost;
@@ -102,7 +105,8 @@ SectionCoefficients PolarCurve::at(double alpha) const {
   return c;
 }
 
-PreparedPolars::PreparedPolars(const PolarSection& section) : stallDelay_(section.stallDelay) {
+PreparedPolars::PreparedPolars(const PolarSection& section)
+    : stallDelay_(section.stallDelay), dragExponent_(section.dragExponent) {
   std::vector<Polar> sorted = section.polars;
   std::sort(sorted.begin(), sorted.end(),
             [](const Polar& a, const Polar& b) { return a.reynolds < b.reynolds; });
@@ -114,6 +118,14 @@ PolarCurve PreparedPolars::curve(const SectionPlace& place, double reynolds) con
       std::min(kDelayLimit, stallDelay_ * place.chordToRadius * place.chordToRadius);
   // Below a Reynolds number of 1 the logarithm is of no use; the lowest polar holds there anyway.
   const double wanted = std::log(std::max(reynolds, 1.0));
+  if (tables_.size() == 1) {
+    const PolarTable& only = tables_.front();
+    const auto carried = [](double logReynolds) {
+      return std::clamp(logReynolds, std::log(kLeastCarried), std::log(kMostCarried));
+    };
+    const double factor = std::exp(dragExponent_ * (carried(wanted) - carried(only.logReynolds())));
+    return {only, only, 0, delay, only.leastDrag() * (factor - 1)};
+  }
   std::size_t high = 0;
   while (high < tables_.size() && tables_[high].logReynolds() < wanted) ++high;
   if (high == 0) return {tables_.front(), tables_.front(), 0, delay};
@@ -158,6 +170,13 @@ void Describe<PolarSection>::fields(schema::Builder<PolarSection>& b) {
       .help(
           "Times (c/r)\u00b2: the share of the lift lost in stall that rotation keeps; 0 for none.")
       .source("Snel, Houwink, Bosschers, ECN-C-93-052: 3 (c/r)\u00b2");
+  b.number("dragExponent", &P::dragExponent, "Drag over Reynolds number", "e", "1")
+      .range(schema::atLeast(-1), schema::upTo(0))
+      .help(
+          "Where there is one polar only, its least drag goes with Re to this power between 1e4 "
+          "and 1e6; 0 keeps it as it is.")
+      .source("Laminar flat plate, Blasius 1908: -0.5")
+      .advanced();
   b.check([](const P& p, std::vector<Problem>& problems) {
     for (std::size_t i = 0; i < p.polars.size(); ++i) {
       for (std::size_t k = 0; k < i; ++k) {

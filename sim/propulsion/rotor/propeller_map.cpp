@@ -1,29 +1,64 @@
 #include "sim/propulsion/rotor/propeller_map.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <istream>
+#include <ostream>
 
 #include "sim/core/constants.h"
 #include "sim/core/parallel.h"
 
 namespace rotorbench {
 
-PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings)
-    : radius_(rotor.radius()), area_(kPi * radius_ * radius_) {
+PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings) {
+  setScales(rotor, settings);
   tabulateAxial(rotor, settings);
   tabulateSide(rotor, settings);
+}
+
+void PropellerMap::setScales(const BladeElementRotor& rotor, const PropellerMapSettings& settings) {
+  radius_ = rotor.radius();
+  area_ = kPi * radius_ * radius_;
+  disc_ = rotor.disc();
+  stride_ = static_cast<std::size_t>(settings.directions) + 2;
+  lastDirection_ = settings.directions - 1;
+  lastRow_ = settings.reynoldsNumbers - 1;
+  directionsPerAngle_ = lastDirection_ / kPi;
+  leastLogReynolds_ = std::log(settings.leastReynolds);
+  rowsPerLog_ = lastRow_ / (std::log(settings.mostReynolds) - leastLogReynolds_);
+}
+
+void PropellerMap::write(std::ostream& out) const {
+  const std::uint64_t count = values_.size(), solved = sideSolved_;
+  out.write(reinterpret_cast<const char*>(&count), sizeof count);
+  out.write(reinterpret_cast<const char*>(values_.data()),
+            static_cast<std::streamsize>(count * sizeof(ThrustAndTorque)));
+  out.write(reinterpret_cast<const char*>(&solved), sizeof solved);
+  side_.write(out);
+}
+
+std::optional<PropellerMap> PropellerMap::read(std::istream& in, const BladeElementRotor& rotor,
+                                               const PropellerMapSettings& settings) {
+  PropellerMap map;
+  map.setScales(rotor, settings);
+  std::uint64_t count = 0, solved = 0;
+  in.read(reinterpret_cast<char*>(&count), sizeof count);
+  const auto rows = static_cast<std::size_t>(settings.reynoldsNumbers) + 2;
+  if (!in || count != map.stride_ * rows) return {};
+  map.values_.resize(count);
+  in.read(reinterpret_cast<char*>(map.values_.data()),
+          static_cast<std::streamsize>(count * sizeof(ThrustAndTorque)));
+  in.read(reinterpret_cast<char*>(&solved), sizeof solved);
+  if (!in || !map.side_.read(in)) return {};
+  map.sideSolved_ = solved;
+  return map;
 }
 
 void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
                                  const PropellerMapSettings& settings) {
   const auto directions = static_cast<std::size_t>(settings.directions);
   const auto rows = static_cast<std::size_t>(settings.reynoldsNumbers);
-  stride_ = directions + 2;
   values_.resize(stride_ * (rows + 2));
-  lastDirection_ = settings.directions - 1;
-  lastRow_ = settings.reynoldsNumbers - 1;
-  directionsPerAngle_ = lastDirection_ / kPi;
-  leastLogReynolds_ = std::log(settings.leastReynolds);
-  rowsPerLog_ = lastRow_ / (std::log(settings.mostReynolds) - leastLogReynolds_);
   const AirState air;
   const auto solved = inParallel(rows, [&](std::size_t i) {
     std::vector<ThrustAndTorque> row(directions);

@@ -8,13 +8,16 @@
 // it needs to be (refined_grid.h): thrust and torque, which are even in the side angle, and
 // in-plane force and hub moment over the sine, which are so too. Where there is hardly any in-plane
 // speed the finer axial table corrects it: so forward flight sets in smoothly and no direction is
-// needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. Frame and
-// signs as in blade_element.h. SI, rad.
+// needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. The tables are
+// those of rigid blades in an even inflow; skew and flapping follow in closed form
+// (disc_response.h). Frame and signs as in blade_element.h. SI, rad.
 #pragma once
 
 #include <array>
 #include <cmath>
+#include <iosfwd>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "sim/core/scalar.h"
@@ -61,11 +64,21 @@ class PropellerMap {
                                           double spin, const S& density,
                                           double viscosity = kAirViscosity) const;
 
+  /// The tables as bytes of this machine, and a map from them: of the same rotor and settings, or
+  /// nothing where they do not fit.
+  void write(std::ostream& out) const;
+  static std::optional<PropellerMap> read(std::istream& in, const BladeElementRotor& rotor,
+                                          const PropellerMapSettings& settings);
+
   [[nodiscard]] double radius() const { return radius_; }
   /// How many states of edgewise flow were solved to fill the table.
   [[nodiscard]] std::size_t sideSolved() const { return sideSolved_; }
 
  private:
+  PropellerMap() = default;
+  /// All but the tables.
+  void setScales(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
+
   static constexpr double kReferenceRadius = 0.75;  // r/R
   static constexpr double kAxialSine =
       0.05;  // of the side angle: about so far the finer axial table corrects the other
@@ -126,6 +139,7 @@ class PropellerMap {
   CubicTable side_;  // over chi, side angle and Reynolds number
   std::size_t sideSolved_ = 0;
   double radius_ = 0, area_ = 0;
+  DiscConstants disc_;
 };
 
 template <class S, class Vector, class Axis>
@@ -175,15 +189,12 @@ RotorLoad<S, Vector> PropellerMap::load(const S& w, const Vector& v, const Axis&
     value[1] += share * (still.torque - coarse[1]);
   }
   const S pressure = 0.5 * area_ * density * square, lever = pressure * radius_;
-  l.thrust = sign * pressure * value[0];
-  l.torque = sign * lever * value[1];
-  // e1 of BladeElementRotor::load() times sine.
-  for (int k = 0; k < 3; ++k) {
-    const S e1 = inPlane[k] / speed;
-    l.force[k] = l.thrust * axis[k] - pressure * value[2] * e1;
-    l.moment[k] = spin * (lever * value[3] * e1 - l.torque * axis[k]);
-  }
-  return l;
+  // The table has what is in the plane over the sine.
+  const EvenLoad<S> even{S(pressure * value[0]), S(lever * value[1]),
+                         S(pressure * value[2] / speed), S(lever * value[3] / speed)};
+  const auto disc =
+      discResponse<S>(disc_, even, S(abs(w)), S(sign * axialSpeed), sideSquare, density);
+  return bodyLoad<S, Vector>(disc, inPlane, axis, spin, sign);
 }
 
 template <>

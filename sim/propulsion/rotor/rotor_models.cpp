@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <deque>
 #include <mutex>
+#include <optional>
+
+#include "sim/propulsion/rotor/map_store.h"
 
 namespace rotorbench {
 
 namespace {
 
-/// Maps made in this process, the latest first.
+/// Maps made or read in this process, the latest first.
 class MapCache {
  public:
   std::shared_ptr<const PreparedRotor> find(const MapPropeller& p) {
@@ -17,7 +20,13 @@ class MapCache {
     // waits for it.
     std::call_once(entry->once, [&] {
       const BladeElementRotor rotor(p.propeller, p.settings);
-      entry->rotor = std::make_shared<const PreparedRotor>(PropellerMap(rotor, p.map));
+      const MapStore store(MapStore::userFolder());
+      std::optional<PropellerMap> map = store.find(p, rotor);
+      if (!map) {
+        map.emplace(rotor, p.map);
+        store.keep(p, rotor, *map);
+      }
+      entry->rotor = std::make_shared<const PreparedRotor>(std::move(*map));
     });
     return entry->rotor;
   }

@@ -57,6 +57,7 @@ class TestSections : public QObject {
   void rotationDelaysTheStall();
   void slowFlyersLiftMore();
   void polarsHoldAtTheirPoints();
+  void dragOfASinglePolarFollowsReynolds();
   void polarsAreLinearInTheLogarithmOfReynolds();
   void xfoilPolarIsRead();
   void brokenXfoilPolarsAreNamed_data();
@@ -146,11 +147,33 @@ void TestSections::slowFlyersLiftMore() {
   QVERIFY(std::abs(plain.zeroLift() - slow.zeroLift() - c.slowFlyerCamber) < 1e-15);
 }
 
+/// The least drag as a laminar boundary layer's, the rest of the polar as it is; several polars say
+/// themselves what their drag does.
+void TestSections::dragOfASinglePolarFollowsReynolds() {
+  PolarSection section;
+  section.polars = {{1e5, {{-5 * kDegree, -0.4, 0.02}, {0, 0.1, 0.01}, {10 * kDegree, 1, 0.03}}}};
+  const auto at = [&](double reynolds, double alpha) {
+    return PreparedPolars(section).curve({0.2, 0.3, false}, reynolds).at(alpha);
+  };
+  QVERIFY(std::abs(at(4e5, 0).drag - 0.005) < 1e-12);
+  QVERIFY(std::abs(at(2.5e4, 0).drag - 0.02) < 1e-12);
+  QVERIFY(std::abs(at(2.5e4, 10 * kDegree).drag - 0.04) < 1e-12);
+  QVERIFY(std::abs(at(1e3, 0).drag - at(1e4, 0).drag) < 1e-15);
+  QVERIFY(std::abs(at(1e7, 0).drag - at(1e6, 0).drag) < 1e-15);
+  QCOMPARE(at(4e5, 0.05).lift, at(1e5, 0.05).lift);
+  section.dragExponent = 0;
+  QVERIFY(std::abs(at(4e5, 0).drag - 0.01) < 1e-12);
+  section = twoPolars();
+  const double several = at(3e4, 0.05).drag;
+  section.dragExponent = 0;
+  QCOMPARE(at(3e4, 0.05).drag, several);
+}
+
 void TestSections::polarsHoldAtTheirPoints() {
   PolarSection section;
   section.polars = {{1e5, {{-5 * kDegree, -0.4, 0.02}, {0, 0.1, 0.01}, {10 * kDegree, 1, 0.03}}}};
   const PreparedPolars prepared(section);
-  const PolarCurve curve = prepared.curve({0.2, 0.3, false}, 7e4);
+  const PolarCurve curve = prepared.curve({0.2, 0.3, false}, 1e5);
   for (const PolarPoint& p : section.polars.front().points) {
     QVERIFY(std::abs(curve.at(p.alpha).lift - p.lift) < 1e-9);
     QVERIFY(std::abs(curve.at(p.alpha).drag - p.drag) < 1e-9);
