@@ -14,7 +14,7 @@ namespace {
 
 using std::numbers::pi;
 // Beyond 60 degrees a vehicle that holds its height needs more than twice its hover thrust.
-constexpr double kMostTilt = pi / 3;
+constexpr double kMostAskedTilt = pi / 3;
 constexpr double kMostYaw = 20 * pi;
 
 template <class T>
@@ -45,8 +45,8 @@ void Describe<SetPointRow>::fields(schema::Builder<SetPointRow>& b) {
   b.title("row", "Set-points", "Set-points from one instant on.");
   b.number("time", &P::time, "Time", "t", "s").range(atLeast(0), upTo(1e6)).live();
   height(b);
-  angle(b, "roll", &P::roll, "Roll", "φ", kMostTilt);
-  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostTilt);
+  angle(b, "roll", &P::roll, "Roll", "φ", kMostAskedTilt);
+  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostAskedTilt);
   angle(b, "yaw", &P::yaw, "Yaw", "ψ", kMostYaw);
 }
 
@@ -58,9 +58,9 @@ void Describe<HandSetPoints>::fields(schema::Builder<HandSetPoints>& b) {
   byHand(b, "heightByHand", &P::heightByHand, "Height by hand");
   height(b);
   byHand(b, "rollByHand", &P::rollByHand, "Roll by hand");
-  angle(b, "roll", &P::roll, "Roll", "φ", kMostTilt);
+  angle(b, "roll", &P::roll, "Roll", "φ", kMostAskedTilt);
   byHand(b, "pitchByHand", &P::pitchByHand, "Pitch by hand");
-  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostTilt);
+  angle(b, "pitch", &P::pitch, "Pitch", "θ", kMostAskedTilt);
   byHand(b, "yawByHand", &P::yawByHand, "Yaw by hand");
   angle(b, "yaw", &P::yaw, "Yaw", "ψ", kMostYaw);
 }
