@@ -45,8 +45,10 @@ Progress FlightSimulation::progress() const {
 
 void FlightSimulation::tick() {
   const double t = plant_->time();
-  if (const auto problem = changes_.act(done_, t))
-    return fail({t, problem->path, problem->message()});
+  if (changes_.due(done_)) [[unlikely]] {
+    if (const auto problem = changes_.make(done_, t))
+      return fail({t, problem->path, problem->message()});
+  }
   const double next =
       done_ + 1 == ticks_ ? duration_ : static_cast<double>(done_ + 1) * tickSeconds();
   if (!prepare({t, next - t})) return;

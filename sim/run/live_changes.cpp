@@ -46,7 +46,7 @@ std::optional<Problem> LiveChanges::makeOne(const Change& change, double time) {
 
 std::optional<Problem> LiveChanges::add(Change change, std::int64_t tick, double time) {
   // What is due now came first, here as in a repetition.
-  if (auto problem = act(tick, time)) return problem;
+  if (auto problem = make(tick, time)) return problem;
   if (tickOfChange(change.time, flight_.tick) > tick) {
     Flight then = flight_;
     if (auto problem = makeChange(then, change)) return problem;

@@ -25,13 +25,11 @@ class LiveChanges {
  public:
   LiveChanges(const Flight& flight, std::vector<LivePart> parts);
 
+  /// Whether anything is to be made before the tick number `tick`.
+  [[nodiscard]] bool due(std::int64_t tick) const { return tick >= nextTick_; }
   /// Before the tick number `tick` at `time`, s: makes what is due. A problem says which change
   /// could not be made.
-  std::optional<Problem> act(std::int64_t tick, double time) {
-    if (tick < nextTick_) [[likely]]
-      return {};
-    return make(tick, time);
-  }
+  std::optional<Problem> make(std::int64_t tick, double time);
   /// A change that comes between ticks, before the tick number `tick` at `time`: made now, and with
   /// this time, if its own time is not later, else when its time has come. Returns why not.
   std::optional<Problem> add(Change change, std::int64_t tick, double time);
@@ -41,7 +39,6 @@ class LiveChanges {
   [[nodiscard]] std::size_t made() const { return next_; }
 
  private:
-  std::optional<Problem> make(std::int64_t tick, double time);
   std::optional<Problem> makeOne(const Change& change, double time);
   [[nodiscard]] std::int64_t tickOf(std::size_t i) const;
 

@@ -8,8 +8,8 @@
 // it needs to be (refined_grid.h): thrust and torque, which are even in the side angle, and
 // in-plane force and hub moment over the sine, which are so too. Where there is hardly any in-plane
 // speed the finer axial table corrects it: so forward flight sets in smoothly and no direction is
-// needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. The tables are
-// those of rigid blades in an even inflow; skew and flapping follow in closed form
+// needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. The tables
+// are those of rigid blades in an even inflow; skew and flapping follow in closed form
 // (disc_response.h). Frame and signs as in blade_element.h. SI, rad.
 #pragma once
 
