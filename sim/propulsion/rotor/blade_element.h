@@ -10,9 +10,9 @@
 // where stall leaves an annulus several solutions in descent, a mean of them is taken
 // (inflow_root.h). In oblique flow the sections are averaged over the azimuth at one induced
 // velocity and one swirl per annulus, the swirl going with the share of the turning in the mean
-// square of the tangential speed (ours: QPROP's swirl is one of axial flow), blades being rigid. The
-// skew of the inflow and flapping come in closed form afterwards (disc_response.h); radial flow and
-// dynamic stall are left out.
+// square of the tangential speed (ours: QPROP's swirl is one of axial flow), blades being rigid.
+// The skew of the inflow and flapping come in closed form afterwards (disc_response.h); radial flow
+// and dynamic stall are left out.
 //   axial:   H. Glauert, Airplane propellers, in Durand IV, 1935; M. Drela, QPROP formulation,
 //            2006;
 //            S. A. Ning, Wind Energy 17, 2014 (bracketing)
@@ -67,9 +67,9 @@ struct AxialLoad {
 };
 
 /// Loads in oblique flow, in the frame of the in-plane hub velocity: e1 along it, e2 = s (axis x
-/// e1), s the spin. Of rigid blades in an even inflow: a blade ahead of the hub meets the air as one
-/// behind it does, so there is neither a force along e2 nor a moment of thrust times distance along
-/// e1.
+/// e1), s the spin. Of rigid blades in an even inflow: a blade ahead of the hub meets the air as
+/// one behind it does, so there is neither a force along e2 nor a moment of thrust times distance
+/// along e1.
 struct ObliqueLoad {
   double thrust = 0;  ///< N along the axis
   double torque = 0;  ///< N m against the rotation
