@@ -68,15 +68,15 @@ DiscLoad<S> discResponse(const DiscConstants& c, const EvenLoad<S>& even, const 
   const double sign = valueOf(square) < 0 ? -1 : 1;
   const S size = sign * square, along = sign * axial;
   constexpr double kStill = 0.01;  // of v^2 in hover: the least square of the speed in the disc
-  constexpr double kLeast = 1e-12;
-  const S floor = across + kStill * size + kLeast * (tip * tip + axial * axial);
+  constexpr double kTiny = 1e-12;
+  const S floor = across + kStill * size + kTiny * (tip * tip + axial * axial);
   S v = size / sqrt(S(size + axial * axial + floor));
   for (int i = 0; i < 3; ++i) {
     const S through = along + v;
     v = 0.5 * (v + size / sqrt(S(through * through + floor)));
   }
   const S through = along + v, disc = through * through + kStill * size;
-  const S least = kLeast * (tip * tip + axial * axial);
+  const S least = kTiny * (tip * tip + axial * axial);
   // K v0 over the in-plane speed.
   const S skew = (15 * std::numbers::pi / 32) * sign * v /
                  (sqrt(S(disc + least)) + sqrt(S(disc + across + least)));
@@ -87,7 +87,7 @@ DiscLoad<S> discResponse(const DiscConstants& c, const EvenLoad<S>& even, const 
   if (!c.flapping) return out;
 
   const S damping = 0.25 * density * c.flapIntegral * omega * omega;
-  const S all = damping * damping + c.stiffness * c.stiffness + kLeast * kLeast;
+  const S all = damping * damping + c.stiffness * c.stiffness + kTiny * kTiny;
   S back = (c.stiffness * out.pitch - damping * even.roll) / all;
   S left = (c.stiffness * even.roll + damping * out.pitch) / all;
   const S tilt = across * (back * back + left * left) / (kMostTilt * kMostTilt);
