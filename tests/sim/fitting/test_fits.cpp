@@ -18,7 +18,7 @@ constexpr double kRpm = std::numbers::pi / 30;
 constexpr double kLoad = 2.2e-7;  // N m s^2
 
 MotorParameters truth() {
-  MotorParameters m;
+  MotorParameters m = djiE305();
   m.speedConstant = 920 * kRpm;
   m.resistance = 0.13;
   m.noLoadCurrent = 0.6;
