@@ -86,6 +86,7 @@ MeasuredTable limitedStand(double noise, unsigned seed, double limit, double sup
 
 MotorFitSetup setupFor(ShaftTorque torque) {
   MotorFitSetup setup;
+  setup.start = djiE305();
   setup.torque = torque;
   setup.fitViscousShare = true;
   setup.torqueCoefficient = 1e-7;
