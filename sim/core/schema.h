@@ -97,6 +97,7 @@ struct Field {
   bool asTable = false;                     ///< List of plain rows, edited as a table
   bool untyped = false;   ///< Variant: a file may leave its type out, meaning the first
   bool advanced = false;  ///< shown behind "more" in a form
+  bool required = false;  ///< of a struct that stands alone: a file must give it
   bool live = false;      ///< of a flight, may be changed while it goes on (document/changes.h)
 
   /// Number, Integer, Boolean, Text, Choice, Vector.
@@ -150,6 +151,9 @@ class Type {
     std::function<void(void* object)> follow;
   };
   std::vector<Follower> followers;
+  /// Where a file describes this struct, what it leaves out is the struct's own default, whatever
+  /// the surroundings have there: a motor that is described has no figure of the default vehicle's.
+  bool standsAlone = false;
   /// A default-made object of this struct.
   std::function<std::shared_ptr<void>()> make;
 

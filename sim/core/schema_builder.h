@@ -48,6 +48,8 @@ class FieldBuilder {
   /// What was a group before it became a variant: files without a type mean the first alternative.
   FieldBuilder& untyped() { return field_->untyped = true, *this; }
   FieldBuilder& advanced() { return field_->advanced = true, *this; }
+  /// No value is neutral: a file that describes the struct, which must stand alone, gives it.
+  FieldBuilder& required() { return field_->required = true, *this; }
   /// Whoever uses the member takes a new value while a flight goes on.
   FieldBuilder& live() { return field_->live = true, *this; }
 
@@ -74,6 +76,9 @@ class Builder {
     type_.help = std::move(help);
     type_.source = std::move(source);
   }
+
+  /// See Type::standsAlone.
+  void standsAlone() { type_.standsAlone = true; }
 
   /// What files called this struct, as an alternative of a variant, before it had its key.
   void formerly(std::string key) { type_.formerKeys.push_back(std::move(key)); }

@@ -14,20 +14,20 @@ void Describe<BrakeLoad>::fields(schema::Builder<BrakeLoad>& b) {
 
 void Describe<PropellerLoad>::fields(schema::Builder<PropellerLoad>& b) {
   using P = PropellerLoad;
-  const char* source = "JSBSim aircraft F450, engine/DJI_9450.xml";
   b.title(
       "propeller", "Propeller at rest",
       "A propeller in still air: T = CT rho n^2 D^4, P = CP rho n^3 D^5, n in turns per second.");
+  b.standsAlone();
   b.number("thrustCoefficient", &P::thrustCoefficient, "Thrust coefficient", "C_T", "1")
       .range(schema::atLeast(0), schema::upTo(1))
-      .source(source);
+      .required();
   b.number("powerCoefficient", &P::powerCoefficient, "Power coefficient", "C_P", "1")
       .range(schema::atLeast(0), schema::upTo(1))
-      .source(source);
+      .required();
   b.number("diameter", &P::diameter, "Diameter", "D", "m")
       .range(schema::above(0), schema::upTo(20))
       .shownIn("in")
-      .source(source);
+      .required();
   b.number("airDensity", &P::airDensity, "Air density", "\u03c1", "kg/m^3")
       .range(schema::atLeast(0), schema::upTo(10))
       .source("International standard atmosphere at sea level");

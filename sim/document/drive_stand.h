@@ -41,10 +41,11 @@ struct BladeElementLoad {
   bool operator==(const BladeElementLoad&) const = default;
 };
 
+/// Defaults: the E305 set of the DJI F450.
 struct DriveStand {
   SupplyModel supply;
-  EscParameters esc;
-  MotorParameters motor;
+  EscParameters esc{.resistance = 0.005, .responseTime = 0.01};  ///< 420 LITE: both assumed
+  MotorParameters motor = djiE305();
   std::variant<PropellerLoad, BladeElementLoad, BrakeLoad, FreeShaft> load;
   double inertia = 6.05e-5;  ///< kg m^2 of all that spins
   bool quasiStaticCurrent = false;

@@ -102,12 +102,27 @@ class DocumentReader {
         return readVariant(field, owner, json, path);
       case Kind::Group:
         if (const auto* object = json.object()) {
-          return readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path,
-                             {});
+          return readStruct(field, owner, *object, path, {});
         }
         return report(path, json.shown() + " is not allowed", "must be an object { ... }");
       default:
         readLeaf(field, owner, json, path);
+    }
+  }
+
+  /// A group or the chosen alternative of a variant.
+  void readStruct(const Field& field, void* owner, const JsonValue::Object& object,
+                  const std::string& path, std::string_view extraKey) {
+    const Ref node{&field.childType(owner, 0), field.child(owner, 0)};
+    if (node.type->standsAlone) {
+      const std::shared_ptr<void> own = node.type->make();
+      schema::copy(schema::ConstRef(node.type, own.get()), node);
+    }
+    readMembers(node, object, path, extraKey);
+    for (const Field& inner : node.type->fields) {
+      if (inner.required && member(object, inner.key) == nullptr)
+        report(schema::joinPath(path, inner.key), "this key is missing",
+               "must be given: no figure of another product stands in for it");
     }
   }
 
@@ -144,7 +159,7 @@ class DocumentReader {
     const auto option = key == nullptr ? std::nullopt : schema::optionNamed(field.options, *key);
     if (type == nullptr && field.untyped) {
       field.choose(owner, 0);
-      return readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path, {});
+      return readStruct(field, owner, *object, path, {});
     }
     if (!option) {
       return report(path + ".type",
@@ -152,7 +167,7 @@ class DocumentReader {
                     schema::allowedOptions(field.options, key == nullptr ? "" : *key));
     }
     field.choose(owner, *option);
-    readMembers({&field.childType(owner, 0), field.child(owner, 0)}, *object, path, "type");
+    readStruct(field, owner, *object, path, "type");
   }
 
   void readLeaf(const Field& field, void* owner, const JsonValue& json, const std::string& path) {

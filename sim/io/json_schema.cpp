@@ -90,6 +90,11 @@ class SchemaWriter {
   /// Where a struct is part of another one that makes it with values of its own, these are its
   /// defaults and it has a definition of its own.
   ordered_json reference(const Type& type, const std::string& typeKey, const void* defaults) {
+    if (type.standsAlone && defaults != nullptr) {
+      const std::shared_ptr<void> own = type.make();
+      if (own.get() != defaults && !ownDefaults(type, defaults).empty())
+        return reference(type, typeKey, own.get());
+    }
     const Definition definition{&type, typeKey, ownDefaults(type, defaults)};
     const auto [known, added] = names_.try_emplace(definition);
     if (added) {
@@ -130,6 +135,9 @@ class SchemaWriter {
       property["description"] = description(field);
       if (field.isLeaf()) addDefault(property, field.read(defaults));
       properties[field.key] = std::move(property);
+    }
+    for (const Field& field : type.fields) {
+      if (field.required) json["required"].push_back(field.key);
     }
     json["properties"] = std::move(properties);
     json["additionalProperties"] = false;

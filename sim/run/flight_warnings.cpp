@@ -57,6 +57,16 @@ void warnOfUnstableStep(const Flight& flight, std::vector<Problem>& problems) {
                   flight.tick, problems);
 }
 
+/// Without a resistance a vehicle climbs and drifts at any speed.
+void warnOfAirResistance(const VehicleParameters& vehicle, std::vector<Problem>& problems) {
+  const AirResistance known = airResistanceOf(vehicle);
+  if (known.described()) return;
+  problems.push_back({"vehicle.drag",
+                      "the resistance of the air is not described: there is " + known.missing() +
+                          ", so speeds and powers in flight are too good",
+                      "the vehicle's own drag and inflow", true});
+}
+
 }  // namespace
 
 std::vector<Problem> flightWarnings(const Flight& flight) {
@@ -69,6 +79,7 @@ std::vector<Problem> flightWarnings(const Flight& flight) {
     if (stabilityLimit(flight.solver.method) > 0) warnOfUnstableStep(flight, problems);
   }
   warnOfHover(flight, problems);
+  warnOfAirResistance(flight.vehicle, problems);
   return problems;
 }
 

@@ -24,7 +24,7 @@ void useBladeElements(RotorAerodynamics& aerodynamics) {
 /// The first thing that is missing for a hover, or nothing.
 template <int N>
 std::string missingFor(const MultirotorConstants<N>& c, const Trim& hover) {
-  double power = 0, mostVoltage = 0;
+  double power = c.avionicsPower, mostVoltage = 0;
   int mostRotor = 0;
   for (int i = 0; i < N; ++i) {
     const auto& hub = c.hubs[static_cast<std::size_t>(i)];
@@ -65,6 +65,7 @@ double fullThrottleLift(const MultirotorConstants<N>& c) {
   };
   const auto at = [&](double bus) {
     Full full;
+    full.current = c.avionicsPower / bus;
     for (const auto& hub : c.hubs) {
       const MotorConstants drive = hub.drive();
       const double factor = density * hub.rotor.torque;

@@ -58,10 +58,10 @@ struct CarriedVehicle {
 
 /// Defaults: DJI F450 with E305 motors and 9450 propellers on three cells.
 struct DataSheet {
-  MotorParameters motor;
+  MotorParameters motor = djiE305();
   DataSheetPropeller propeller;
   SupplyModel supply = BatteryParameters{};
-  EscParameters esc;
+  EscParameters esc{.resistance = 0.005, .responseTime = 0.01};  ///< 420 LITE: both assumed
   std::variant<GivenInertia, EstimatedInertia> inertia;
   CarriedVehicle vehicle;
   bool operator==(const DataSheet&) const = default;

@@ -19,6 +19,7 @@ struct Flown {
   const PerformanceSettings& settings;
   FullThrottle full;
   std::optional<Trim> hover;
+  AirResistance resistance{};
   DriveDemand demand{};
   double bus = kNoFigure;                  ///< V under the hover's load
   Margin margin{-1, FlightLimit::NoTrim};  ///< of the hover at the largest throttle
@@ -257,6 +258,11 @@ void addWarnings(FigureSheet& sheet, const Flown& f) {
                              Sentence::number(f.full.thrust / f.flight.weight()) +
                              " of the weight; little is left for control and gusts.");
   }
+  if (!f.resistance.described()) {
+    sheet.warnings.push_back("The resistance of the air is not described: there is " +
+                             f.resistance.missing() +
+                             ", so speeds, tilt, range and power in flight are too good.");
+  }
   const double merit = f.hover ? sheet.at("efficiency.propeller").value : kNoFigure;
   if (merit > 1) {
     sheet.warnings.push_back(
@@ -271,7 +277,7 @@ FigureSheet performanceSheet(const VehicleParameters& vehicle,
                              const EnvironmentParameters& environment,
                              const PerformanceSettings& settings) {
   const SteadyFlight flight(vehicle, environment);
-  Flown f{flight, settings, flight.fullThrottle(), flight.hover()};
+  Flown f{flight, settings, flight.fullThrottle(), flight.hover(), airResistanceOf(vehicle)};
   if (f.hover) {
     f.demand = flight.demand(*f.hover);
     const Supply& supply = flight.supply();

@@ -51,6 +51,9 @@ double SteadyFlight::mass() const {
 double SteadyFlight::weight() const {
   return std::visit([](const auto& c) { return c.mass * c.gravity; }, constants_);
 }
+double SteadyFlight::avionicsPower() const {
+  return std::visit([](const auto& c) { return c.avionicsPower; }, constants_);
+}
 double SteadyFlight::density() const {
   return std::visit([](const auto& c) { return c.air.density(0.0); }, constants_);
 }
@@ -76,7 +79,7 @@ DriveDemand SteadyFlight::demand(const Trim& trim) const {
     d.motorPower += terminal * d.current[i];
     d.shaftPower += trim.torque[i] * w;
   }
-  d.power = d.voltage.dot(d.current);
+  d.power = d.voltage.dot(d.current) + avionicsPower();
   return d;
 }
 
@@ -119,6 +122,7 @@ FullThrottle SteadyFlight::fullThrottle() const {
       f.current += electrical.busCurrent;
       f.thrust += load.thrustAt(f.speeds[i]) * rotor.hub.axis.z();
     }
+    f.current += avionicsPower() / bus;
     f.power = bus * f.current;
     return f;
   };

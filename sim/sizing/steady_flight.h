@@ -54,6 +54,8 @@ class SteadyFlight {
   [[nodiscard]] double mass() const;
   [[nodiscard]] double weight() const;
   [[nodiscard]] double density() const;
+  /// W, drawn besides the motors.
+  [[nodiscard]] double avionicsPower() const;
 
  private:
   struct Rotor {

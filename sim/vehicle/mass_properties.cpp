@@ -54,16 +54,16 @@ void Describe<InertiaTensor>::fields(schema::Builder<InertiaTensor>& b) {
       "inertia", "Inertia",
       "Inertia tensor about the centre of mass in body axes. Off the diagonal stand the tensor's "
       "entries, the negative products of inertia.");
-  const char* f450 = "JSBSim aircraft F450, Mass.xml";
+  b.standsAlone();
   b.number("xx", &P::xx, "Roll", "I_xx", "kg*m^2")
       .range(schema::above(0), schema::upTo(1e4))
-      .source(f450);
+      .required();
   b.number("yy", &P::yy, "Pitch", "I_yy", "kg*m^2")
       .range(schema::above(0), schema::upTo(1e4))
-      .source(f450);
+      .required();
   b.number("zz", &P::zz, "Yaw", "I_zz", "kg*m^2")
       .range(schema::above(0), schema::upTo(1e4))
-      .source(f450);
+      .required();
   const auto product = [&b](const char* key, double P::*member, const char* symbol) {
     b.number(key, member, "Product", symbol, "kg*m^2")
         .range(schema::atLeast(-1e4), schema::upTo(1e4))

@@ -83,6 +83,7 @@ struct MultirotorConstants {
   bool passive = false;    ///< some speed controller does not brake actively
   double openCircuit = 0;  ///< V, of the supply at the start; of one that never empties always
   Supply supply{SupplyModel{}};
+  double avionicsPower = 0;  ///< W
 };
 
 /// Throws InputError naming every problem of mass properties or rotor numbers. `asPlanned` leaves

@@ -54,6 +54,12 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   at.duty = lanes.duty.duty(commanded, follows);
   at.supplyCurrent = Lanes(at.duty * current).sum();
   at.bus = inner - constants_.supply.resistance * at.supplyCurrent;
+  // What the motors leave of the supply is all that the avionics can draw from: a constant power.
+  if (constants_.avionicsPower > 0) {
+    const S avionics(constants_.avionicsPower);
+    at.bus = busVoltage<S>(at.bus, avionics, constants_.supply.resistance);
+    at.supplyCurrent = at.supplyCurrent + avionics / at.bus;
+  }
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = at.duty * at.bus - lanes.escResistance * current;
   const Lanes excess = at.voltage - back;
@@ -87,7 +93,8 @@ template <class S>
     at.voltage[i] =
         hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
-  const S power = converterPower<Lanes>(at.voltage, constants_.lanes.escResistance, current).sum();
+  const S power = converterPower<Lanes>(at.voltage, constants_.lanes.escResistance, current).sum() +
+                  S(constants_.avionicsPower);
   at.bus = busVoltage<S>(inner, power, constants_.supply.resistance);
   at.supplyCurrent = power / at.bus;
 }

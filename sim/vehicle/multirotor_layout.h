@@ -61,11 +61,13 @@ struct FlightPowers {
   double copperLoss;    ///< sum of R i^2
   double frictionLoss;  ///< sum of friction(w) w
   double shaft;         ///< sum of Q w: what the air takes
+  double avionics;      ///< drawn besides the motors
   double magnetic;      ///< d/dt of the sum of L i^2/2
   double kinetic;       ///< sum of J w w'
   /// source minus everything else; 0 up to rounding.
   [[nodiscard]] double residual() const {
-    return source - supplyLoss - escLoss - copperLoss - frictionLoss - shaft - magnetic - kinetic;
+    return source - supplyLoss - escLoss - copperLoss - frictionLoss - shaft - avionics - magnetic -
+           kinetic;
   }
 };
 

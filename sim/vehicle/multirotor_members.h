@@ -156,6 +156,7 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
   c.air = buildAir(environment);
   c.drag = vehicle.drag;
   c.supply = Supply(vehicle.supply);
+  c.avionicsPower = vehicle.avionicsPower;
   c.openCircuit = c.supply.openCircuit(c.supply.charge);
   c.lumped =
       std::ranges::all_of(c.hubs, [](const auto& hub) { return hub.rotor.model == nullptr; });
@@ -223,6 +224,7 @@ FlightPowers Multirotor<N, Drive>::powers(double t, const State& y) const {
   const double i = forces.supplyCurrent;
   p.source = openCircuit(y) * i;
   p.supplyLoss = constants_.supply.resistance * i * i + y[L::kPolarisation] * i;
+  p.avionics = Drive == RotorDrive::Motors ? constants_.avionicsPower : 0;
   for (int k = 0; k < N; ++k) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(k)];
     const double w = y[L::kSpeed + k], current = y[L::kCurrent + k];
@@ -319,7 +321,7 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(const 
     current[i] = hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
     voltage[i] = hub.drive().steadyVoltage(speeds[i], current[i]);
   }
-  const double power = voltage.dot(current);
+  const double power = voltage.dot(current) + constants_.avionicsPower;
   return voltage / busVoltage(constants_.openCircuit, power, constants_.supply.resistance);
 }
 

@@ -96,6 +96,36 @@ MassProperties massOf(const VehicleParameters& vehicle, bool asPlanned) {
   return sum;
 }
 
+std::string AirResistance::missing() const {
+  const char* braked = "nothing that brakes a level flight";
+  const char* thrust = "no loss of the rotors' thrust in climb";
+  if (!level && !climb) return std::string(braked) + " and " + thrust;
+  return !level ? braked : !climb ? thrust : "";
+}
+
+AirResistance airResistanceOf(const VehicleParameters& vehicle) {
+  bool lumped = true, dragging = true, losing = true;
+  const auto consider = [&](const RotorParameters& rotor) {
+    std::visit(
+        [&](const auto& a) {
+          if constexpr (requires { a.inflow.drag; }) {
+            dragging &= a.inflow.drag > 0;
+            losing &= a.inflow.inflow > 0;
+          } else {
+            lumped = false;
+          }
+        },
+        rotor.aerodynamics);
+  };
+  if (const auto* equal = std::get_if<EqualRotors>(&vehicle.rotors)) {
+    consider(equal->rotor);
+  } else {
+    for (const auto& rotor : std::get<IndividualRotors>(vehicle.rotors).rotors) consider(rotor);
+  }
+  const bool body = vehicle.drag.linear > 0 || vehicle.drag.quadratic.head<2>().minCoeff() > 0;
+  return {.level = body || (lumped && dragging), .climb = losing};
+}
+
 void Describe<EqualRotors>::fields(schema::Builder<EqualRotors>& b) {
   b.title("equal", "All alike", "One description for all rotors.");
   b.group("rotor", &EqualRotors::rotor, "Rotor");
@@ -127,10 +157,11 @@ void Describe<RotorDeviation>::fields(schema::Builder<RotorDeviation>& b) {
 void Describe<BodyDrag>::fields(schema::Builder<BodyDrag>& b) {
   using P = BodyDrag;
   b.title("drag", "Body drag", "Resistance of the body against the air, at the centre of mass.");
+  b.standsAlone();
   b.number("linear", &P::linear, "Linear drag", "D", "N*s/m")
       .range(schema::atLeast(0), schema::upTo(1e4))
       .help("Force per speed, against the motion.")
-      .source("Thesis 2014, tables 2.1 and 2.2");
+      .source("None unless given; thesis 2014, (3.18)");
   b.vector("quadratic", &P::quadratic, "Quadratic drag", "c", "N*s^2/m^2")
       .range(schema::atLeast(0), schema::upTo(1e4))
       .help("Along each body axis: c times speed times the velocity along the axis.")
@@ -155,6 +186,12 @@ void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) 
   b.list("deviations", &P::deviations, "Deviations").items(0, 100).table();
   b.group("drag", &P::drag, "Body drag");
   b.variant("supply", &P::supply, "Supply").untyped();
+  b.number("avionicsPower", &P::avionicsPower, "Power of the avionics", "P_a", "W")
+      .range(schema::atLeast(0), schema::upTo(1e5))
+      .help(
+          "Flight controller, radio, camera: a constant power drawn from the supply besides the "
+          "motors.")
+      .source("None unless given");
   b.follows("rotors", fitting, [](P& p) {
     auto& own = std::get<IndividualRotors>(p.rotors).rotors;
     own.resize(static_cast<std::size_t>(rotorCount(p.layout)), own.back());

@@ -40,13 +40,14 @@ struct RotorDeviation {
 
 /// Air resistance of the body, at the centre of mass, in body axes.
 struct BodyDrag {
-  double linear = 0.05;                                 ///< D, N s/m
+  double linear = 0;                                    ///< D, N s/m
   Eigen::Vector3d quadratic = Eigen::Vector3d::Zero();  ///< c, N s^2/m^2: F_k = -c_k |v| v_k
   Eigen::Vector3d angular = Eigen::Vector3d::Zero();    ///< N m s: M_k = -d_k w_k
   bool operator==(const BodyDrag&) const = default;
 };
 
-/// Defaults: DJI F450 with E305 motors and 9450 propellers on three cells.
+/// Defaults: DJI F450 with E305 motors and 9450 propellers on three cells. Its resistance against
+/// the air is none until it is given, and no electronics draw power.
 struct VehicleParameters {
   RotorLayout layout;
   RotorSet rotors;
@@ -55,6 +56,7 @@ struct VehicleParameters {
   std::vector<RotorDeviation> deviations;
   BodyDrag drag;
   SupplyModel supply;
+  double avionicsPower = 0;  ///< W, drawn from the supply besides the motors
   bool operator==(const VehicleParameters&) const = default;
 };
 
@@ -76,6 +78,18 @@ struct RotorAtHub {
   RotorPlacement placement;
   RotorParameters rotor;
 };
+
+/// Whether a vehicle says what ends its level flight and what ends its climb. All rotors but lumped
+/// ones lose thrust in climb by themselves. The in-plane drag of lumped rotors may be that of the
+/// whole vehicle, as it is where coefficients were identified in flight; blades never know of the
+/// body.
+struct AirResistance {
+  bool level = true, climb = true;
+  [[nodiscard]] bool described() const { return level && climb; }
+  /// "no drag of body or rotors in level flight and no ..."; empty where all is described.
+  [[nodiscard]] std::string missing() const;
+};
+AirResistance airResistanceOf(const VehicleParameters& vehicle);
 
 /// Rotors of the vehicle in order; `asPlanned` leaves the deviations out. Throws InputError if the
 /// layout and the rotor set disagree, a deviation names no rotor, or there are not 4, 6 or 8.

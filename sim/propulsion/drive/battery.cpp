@@ -15,7 +15,7 @@ constexpr const char* kChen =
     "Chen, Rincon-Mora, IEEE Trans. Energy Conversion 21 (2006) 504: polymer lithium-ion cell of "
     "850 mAh";
 
-/// Chen and Rincon-Mora, eq. (2).
+/// Chen and Rincon-Mora, eq. (2), over the charge of their cell, which ends at 4.10 V.
 double cellVoltage(double z) {
   return -1.031 * std::exp(-35 * z) + 3.685 + 0.2156 * z - 0.1178 * z * z + 0.3201 * z * z * z;
 }
@@ -33,11 +33,14 @@ double interpolated(const std::vector<CellVoltage>& points, double z) {
 }  // namespace
 
 std::vector<CellVoltage> lithiumPolymerVoltages() {
+  // Chargers of lithium-polymer cells go on to 4.20 V, which the curve reaches with this much of
+  // the charge it calls full.
+  constexpr double kFull = 1.09499;
   std::vector<CellVoltage> points;
   // Close together where the curve bends: below a tenth of the charge.
   for (const double z : {0.0,  0.005, 0.01, 0.02, 0.03, 0.04, 0.05, 0.07, 0.1,  0.15, 0.2,
                          0.25, 0.3,   0.4,  0.5,  0.6,  0.7,  0.8,  0.9,  0.95, 1.0}) {
-    points.push_back({z, std::round(cellVoltage(z) * 1e4) / 1e4});
+    points.push_back({z, std::round(cellVoltage(kFull * z) * 1e4) / 1e4});
   }
   return points;
 }

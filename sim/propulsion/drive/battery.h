@@ -26,7 +26,8 @@ struct CellVoltage {
   bool operator==(const CellVoltage&) const = default;
 };
 
-/// The curve of Chen and Rincon-Mora, eq. (2), at 21 points.
+/// The curve of Chen and Rincon-Mora, eq. (2), at 21 points, continued to the 4.20 V of a full
+/// cell.
 std::vector<CellVoltage> lithiumPolymerVoltages();
 
 struct BatteryParameters {

@@ -21,20 +21,17 @@ void Describe<EscParameters>::fields(schema::Builder<EscParameters>& b) {
       "An averaged converter: v = duty * V - R i at the motor, duty * i from the supply, and no "
       "losses but those of its resistance.",
       "R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3");
+  b.standsAlone();
   b.number("resistance", &P::resistance, "Resistance", "R_esc", "Ohm")
       .range(atLeast(0), upTo(10))
       .shownIn("mOhm")
       .help("Of the switches that carry the motor's current; 0 where the motor's holds it.")
-      .source(
-          "Assumption: two switches of a few milliohm each. 0 in a new vehicle: the E305's "
-          "published resistance holds winding and speed controller");
+      .source("None unless given: the motor's resistance holds winding and speed controller");
   b.number("responseTime", &P::responseTime, "Response time", "T_esc", "s")
       .range(atLeast(0), upTo(10))
       .shownIn("ms")
       .help("The duty follows the throttle with this lag; 0 for none.")
-      .source(
-          "Assumption: ramps of common firmware are of this order. 0 in a new vehicle: short "
-          "beside the rotor's own");
+      .source("None unless given: short beside the rotor's own");
   b.number("deadTime", &P::deadTime, "Dead time", "T_d", "s")
       .range(atLeast(0), upTo(1))
       .shownIn("ms")

@@ -19,9 +19,10 @@
 
 namespace rotorbench {
 
+/// What is not known of one is ideal: neither losses nor lag nor limit.
 struct EscParameters {
-  double resistance = 0.005;              ///< Ohm, of the switches in the motor's path
-  double responseTime = 0.01;             ///< s, first-order lag from throttle to duty; 0: none
+  double resistance = 0;                  ///< Ohm, of the switches in the motor's path
+  double responseTime = 0;                ///< s, first-order lag from throttle to duty; 0: none
   double deadTime = 0;                    ///< s, from a throttle command until it begins to act
   double maxCurrent = kMostCurrentLimit;  ///< A, kept by limiting the voltage
   bool reverse = false;                   ///< duty in -1..1 instead of 0..1

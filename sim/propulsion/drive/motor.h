@@ -16,17 +16,22 @@ namespace rotorbench {
 /// its motor.
 inline constexpr double kMostCurrentLimit = 1e4;
 
-/// As a data sheet gives a motor; defaults are the DJI E305 (2312E).
+/// As a data sheet gives a motor. A file that describes one must give its speed constant and its
+/// resistance, for no value of them is neutral; what else it leaves out has no effect.
 struct MotorParameters {
-  double speedConstant = 100.53096491487338;  ///< Kv in (rad/s)/V: 960 rpm/V
-  double resistance = 0.117;                  ///< Ohm, winding and speed controller
-  double inductance = 50e-6;                  ///< H
-  double noLoadCurrent = 0.45;                ///< A
-  double noLoadVoltage = 10;                  ///< V
-  double viscousShare = 0;  ///< part of the no-load torque that grows with speed, 0..1
-  double maxCurrent = 20;   ///< A, kept by the motor speed controller
+  double speedConstant = 100;  ///< Kv in (rad/s)/V
+  double resistance = 0.1;     ///< Ohm, winding and speed controller
+  double inductance = 50e-6;   ///< H
+  double noLoadCurrent = 0;    ///< A
+  double noLoadVoltage = 10;   ///< V
+  double viscousShare = 0;     ///< part of the no-load torque that grows with speed, 0..1
+  double maxCurrent = kMostCurrentLimit;  ///< A, kept by the motor speed controller
   bool operator==(const MotorParameters&) const = default;
 };
+
+/// The motor of the default vehicle and of the default stand, which are the DJI F450 and its E305
+/// set.
+MotorParameters djiE305();
 
 /// Width in rad/s of the smooth sign(w) of dry friction: small against any flying speed, and wide
 /// enough that the friction of a stopping rotor is no stiffer than the rest of the motor.

@@ -20,6 +20,15 @@ SquareFactors squareFactors(double thrustCoefficient, double powerCoefficient, d
           powerCoefficient * std::pow(diameter, 5) / (kTurn * kTurn * kTurn)};
 }
 
+double diameterOf(const RotorCoefficients& c) {
+  if (c.diameter > 0) return c.diameter;
+  // UIUC Propeller Database: two-bladed model propellers have 0.08 to 0.13 at rest, and the
+  // diameter goes with its fourth root.
+  constexpr double kTypicalThrustCoefficient = 0.1;
+  const double unit = squareFactors(kTypicalThrustCoefficient, 0, 1).thrust * c.referenceDensity;
+  return std::pow(c.thrust / unit, 0.25);
+}
+
 RotorModel<double> lumpedModel(const RotorCoefficients& c) {
   RotorModel<double> m;
   m.thrust = c.thrust / c.referenceDensity;
@@ -44,6 +53,7 @@ void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
       "In-plane drag, loss of thrust in climb, translational lift and flapping of the lumped rotor "
       "model.",
       "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
+  b.standsAlone();
   b.number("drag", &P::drag, "Rotor drag", "k_d", "N*s^2/m")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Force against in-plane motion: k_d times rotor speed times air speed.");
@@ -61,18 +71,18 @@ void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
 
 void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) {
   using P = RotorCoefficients;
-  const char* hummingbird = "AscTec Hummingbird: RotorPy, vehicles/hummingbird_params.py";
   b.title("coefficients", "Lumped coefficients",
           "Thrust k_eta w\u00b2 and drag torque k_m w\u00b2, with the effects of moving air.",
           "Svacha, Mohta, Kumar, ICUAS 2017; RotorPy");
+  b.standsAlone();
   b.number("thrust", &P::thrust, "Thrust coefficient", "k_\u03b7", "N*s^2")
       .range(schema::above(0), schema::upTo(1))
       .help("Thrust per rotor speed squared.")
-      .source(hummingbird);
+      .required();
   b.number("torque", &P::torque, "Torque coefficient", "k_m", "N*m*s^2")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("Drag torque per rotor speed squared.")
-      .source(hummingbird);
+      .required();
   b.group("inflow", &P::inflow, "Moving air")
       .help("None unless given: the figures of one rotor are not those of another.");
   b.number("referenceDensity", &P::referenceDensity, "Holds at air density", "\u03c1\u2080",
@@ -81,32 +91,33 @@ void Describe<RotorCoefficients>::fields(schema::Builder<RotorCoefficients>& b) 
       .help("Forces scale with the actual density over this one.")
       .advanced();
   b.number("diameter", &P::diameter, "Diameter", "D", "m")
-      .range(schema::above(0), schema::upTo(10))
+      .range(schema::atLeast(0), schema::upTo(10))
       .shownIn("in")
-      .help("For drawing and for advance ratios; the coefficients hold the aerodynamics.")
-      .source("8 inch propeller of the Hummingbird");
+      .help(
+          "For drawing and for advance ratios; the coefficients hold the aerodynamics. 0 where it "
+          "is not known: that of a propeller with CT = 0.1 at rest is drawn.");
 }
 
 void Describe<PropellerCoefficients>::fields(schema::Builder<PropellerCoefficients>& b) {
   using P = PropellerCoefficients;
-  const char* dji = "JSBSim aircraft F450, engine/DJI_9450.xml, advance ratio 0";
   b.title(
       "propeller", "Propeller coefficients",
       "Thrust CT \u03c1 n\u00b2 D\u2074 and torque CP \u03c1 n\u00b2 D\u2075/(2\u03c0), n in turns "
       "per second, with the coefficients at rest.",
       "McCormick, Aerodynamics, Aeronautics and Flight Mechanics, ch. 6");
+  b.standsAlone();
   b.number("thrustCoefficient", &P::thrustCoefficient, "Thrust coefficient", "CT", "1")
       .range(schema::above(0), schema::upTo(1))
       .help("At rest (advance ratio 0).")
-      .source(dji);
+      .required();
   b.number("powerCoefficient", &P::powerCoefficient, "Power coefficient", "CP", "1")
       .range(schema::atLeast(0), schema::upTo(1))
       .help("At rest (advance ratio 0).")
-      .source(dji);
+      .required();
   b.number("diameter", &P::diameter, "Diameter", "D", "m")
       .range(schema::above(0), schema::upTo(10))
       .shownIn("in")
-      .source(dji);
+      .required();
   b.group("inflow", &P::inflow, "Moving air")
       .help("At an air density of 1.225 kg/m\u00b3.")
       .advanced();

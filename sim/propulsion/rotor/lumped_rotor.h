@@ -26,20 +26,22 @@ struct RotorInflow {
   bool operator==(const RotorInflow&) const = default;
 };
 
-/// Coefficients as identified on a vehicle. Thrust, torque and diameter are the AscTec
-/// Hummingbird's until others are given; what moving air does is none until it is given, for no
-/// rotor has the figures of another.
+/// Coefficients as identified on a vehicle. Until others are given thrust and torque are those of
+/// PropellerCoefficients, so that the default vehicle stays itself in either form; what moving air
+/// does is none until it is given, for no rotor has the figures of another.
 struct RotorCoefficients {
-  double thrust = 5.57e-6;  ///< k_eta, N s^2/rad^2
-  double torque = 1.36e-7;  ///< k_m, N m s^2/rad^2
+  double thrust = 1.327e-5;  ///< k_eta, N s^2/rad^2
+  double torque = 2.621e-7;  ///< k_m, N m s^2/rad^2
   RotorInflow inflow;
   double referenceDensity = 1.225;  ///< kg/m^3 at which all of them hold
-  double diameter = 0.2032;         ///< m, for drawing and advance ratios
+  double diameter = 0;              ///< m, for drawing and advance ratios; 0: not known
   bool operator==(const RotorCoefficients&) const = default;
 };
 
 /// A propeller by its static coefficients: T = CT rho n^2 D^4, P = CP rho n^3 D^5, so
-/// Q = CP rho n^2 D^5/(2 pi), n in 1/s. Defaults: DJI 9450.
+/// Q = CP rho n^2 D^5/(2 pi), n in 1/s. Defaults: what JSBSim's F450, the default vehicle, flies as
+/// its 9450, a table of the APC 9 x 4.5 E in truth. A file that describes a propeller gives all
+/// three.
 struct PropellerCoefficients {
   double thrustCoefficient = 0.1288;  ///< CT at rest
   double powerCoefficient = 0.0666;   ///< CP at rest
@@ -70,6 +72,9 @@ struct RotorModel {
                       S(flapping * drive));
   }
 };
+
+/// The diameter in m, or where it is not known that of a propeller with CT = 0.1 at rest.
+double diameterOf(const RotorCoefficients& c);
 
 /// The model of a rotor given by its coefficients, with its in-plane terms.
 RotorModel<double> lumpedModel(const RotorCoefficients& c);

@@ -11,15 +11,14 @@
 
 namespace rotorbench {
 
-/// One rotor with its motor.
+/// One rotor with its motor: that of the default vehicle, a DJI F450.
 struct RotorParameters {
   RotorAerodynamics aerodynamics;
   double inertia = 6.05e-5;  ///< kg m^2 of all that spins, about the axis
   double mass = 0.055;       ///< kg of motor and propeller, a point at the hub
   int blades = 2;
-  MotorParameters motor;
-  /// Of a new vehicle: its losses are in the motor's resistance, and it has no lag of its own.
-  EscParameters esc{.resistance = 0, .responseTime = 0};
+  MotorParameters motor = djiE305();
+  EscParameters esc;
   bool operator==(const RotorParameters&) const = default;
 };
 

@@ -81,7 +81,9 @@ double rotorRadius(const RotorAerodynamics& aerodynamics) {
     return geometry->diameter / 2;
   return std::visit(
       [](const auto& a) {
-        if constexpr (requires { a.diameter; })
+        if constexpr (requires { diameterOf(a); })
+          return diameterOf(a) / 2;
+        else if constexpr (requires { a.diameter; })
           return a.diameter / 2;
         else
           return a.propeller.diameter / 2;

@@ -92,7 +92,7 @@ void TestAllocation::limitsKeepRollAndPitchFirst() {
 }
 
 void TestAllocation::topSpeedIsLimitedByCurrentOrVoltage() {
-  MotorParameters p;
+  MotorParameters p = djiE305();
   const double drag = 2.621e-7;
   const MotorConstants m = buildMotor(p);
   const double byCurrent = topSpeed(m, drag, 20);

@@ -197,7 +197,7 @@ void TestPid::motorReachesItsSpeedWithinTheCurrentLimit() {
   QFETCH(bool, feedForward);
   QFETCH(double, from);
   QFETCH(double, to);
-  MotorParameters p;
+  MotorParameters p = djiE305();
   p.maxCurrent = 15;
   const MotorConstants m = buildMotor(p);
   MotorSpeedParameters settings;
@@ -226,7 +226,7 @@ void TestPid::slowingIsAsTheSpeedControllerCan_data() {
   QTest::addColumn<bool>("reverse");
   QTest::addColumn<double>("speed");
   QTest::addColumn<double>("voltage");
-  const MotorConstants m = buildMotor({});
+  const MotorConstants m = buildMotor(djiE305());
   const double back = 300 * m.torqueConstant, band = m.resistance * m.maxCurrent;
   QTest::addRow("braking") << true << false << 300.0 << back - band;
   QTest::addRow("braking at low speed") << true << false << 100.0 << 0.0;
@@ -240,7 +240,7 @@ void TestPid::slowingIsAsTheSpeedControllerCan() {
   QFETCH(bool, reverse);
   QFETCH(double, speed);
   QFETCH(double, voltage);
-  const MotorConstants m = buildMotor({});
+  const MotorConstants m = buildMotor(djiE305());
   const EscConstants esc = buildEsc({.reverse = reverse, .activeBraking = braking}, m);
   MotorSpeedParameters settings;
   settings.feedForward = false;
@@ -289,7 +289,7 @@ void TestPid::motorsSideBySideGiveTheBitsOfOne() {
   std::array<ControlledMotor, 6> motors;
   std::vector<MotorSpeedController> alone;
   for (std::size_t i = 0; i < motors.size(); ++i) {
-    MotorParameters p;
+    MotorParameters p = djiE305();
     p.resistance *= 1 + part(random), p.maxCurrent = 10 + 20 * part(random);
     const MotorConstants m = buildMotor(p);
     const EscConstants esc = buildEsc({.reverse = i % 3 == 0, .activeBraking = i % 2 == 0}, m);

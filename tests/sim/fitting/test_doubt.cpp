@@ -24,6 +24,7 @@ MeasuredTable x2216() {
 /// The label and what the authors of the log give, as the shipped thrust stand has it.
 FitStart x2216Start() {
   FitStart start;
+  start.motor = djiE305();
   start.motor.speedConstant = 1100 * kRpm;
   start.motor.resistance = 0.148;
   start.motor.noLoadCurrent = 0.8;

@@ -18,7 +18,7 @@ constexpr double kRpm = std::numbers::pi / 30;
 constexpr double kLoad = 2.2e-7;  // N m s^2
 
 MotorParameters truth() {
-  MotorParameters m;
+  MotorParameters m = djiE305();
   m.speedConstant = 920 * kRpm;
   m.resistance = 0.13;
   m.noLoadCurrent = 0.6;
@@ -86,6 +86,7 @@ MeasuredTable limitedStand(double noise, unsigned seed, double limit, double sup
 
 MotorFitSetup setupFor(ShaftTorque torque) {
   MotorFitSetup setup;
+  setup.start = djiE305();
   setup.torque = torque;
   setup.fitViscousShare = true;
   setup.torqueCoefficient = 1e-7;

@@ -47,6 +47,7 @@ void TestFitsReal::everySecondStepPredictsTheOthers() {
   const MeasuredTable f40 = rowsOf(both, 1, both.rows(), 2);
   QCOMPARE(f40.rows(), std::size_t{19});
   MotorFitSetup setup;
+  setup.start = djiE305();
   setup.start.speedConstant = 1600 * kRpm;
   setup.start.resistance = 0.06;
   setup.torqueCoefficient = 1e-7;
@@ -80,6 +81,7 @@ void TestFitsReal::everySecondStepPredictsTheOthers() {
 /// circuit, 0.8 A without load.
 void TestFitsReal::sunnySky() {
   MotorFitSetup setup;
+  setup.start = djiE305();
   setup.start.speedConstant = 1000 * kRpm;
   setup.start.resistance = 0.1;
   setup.start.noLoadCurrent = 0.8;

@@ -105,14 +105,16 @@ void TestComponentLibrary::everyKindReadsBack() {
 
 void TestComponentLibrary::unitsAndDefaultsAsInExperiments() {
   const Component c = readComponent(
-      R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"speedConstant": "1100 rpm/V"}})",
+      R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"speedConstant": "1100 rpm/V", "resistance": 0.1}})",
       "m.json");
   const auto* motor = c.as<MotorParameters>();
   QVERIFY(motor != nullptr);
   QVERIFY(c.as<BatteryParameters>() == nullptr);
   // 1100 rpm = 1100 * 2 pi/60 rad/s
   QCOMPARE(motor->speedConstant, 1100 * 2 * 3.14159265358979323846 / 60);
-  QCOMPARE(motor->resistance, MotorParameters().resistance);
+  // What is left out has no effect.
+  QCOMPARE(motor->noLoadCurrent, 0.0);
+  QCOMPARE(motor->maxCurrent, kMostCurrentLimit);
 }
 
 void TestComponentLibrary::faults_data() {
@@ -134,8 +136,11 @@ void TestComponentLibrary::faults_data() {
   row("two faults at once",
       R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"resistance": -1, "kv": 3}})",
       {"value.resistance", "value.kv"});
+  row("no value is neutral",
+      R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"resistance": 0.1}})",
+      {"value.speedConstant: this key is missing"});
   row("rule over members",
-      R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"resistance": 100, "noLoadCurrent": 9}})",
+      R"({"rotorbench-component": 1, "kind": "motor", "name": "M", "value": {"speedConstant": 100, "resistance": 100, "noLoadCurrent": 9}})",
       {"value.noLoadCurrent"});
 }
 

@@ -286,8 +286,9 @@ class TestMotorBench : public QObject {
     QTest::addRow("battery curve")
         << R"("stand": {"supply": {"type": "battery", "openCircuit": [{"charge": 0, "voltage": 4}, {"charge": 1, "voltage": 3}]}})"
         << "setup.stand.supply.openCircuit[1].voltage";
-    QTest::addRow("motor") << R"("stand": {"motor": {"noLoadCurrent": 200}})"
-                           << "setup.stand.motor.noLoadCurrent";
+    QTest::addRow("motor")
+        << R"("stand": {"motor": {"speedConstant": 100, "resistance": 0.1, "noLoadCurrent": 200}})"
+        << "setup.stand.motor.noLoadCurrent";
   }
   void emptyListsAreRefused_data() {
     QTest::addColumn<QString>("stand");

@@ -37,7 +37,8 @@ VehicleParameters hummingbird() {
   VehicleParameters v;
   v.layout = PlusLayout{.arm = 0.17};
   auto& rotor = std::get<EqualRotors>(v.rotors).rotor;
-  rotor.aerodynamics = RotorCoefficients{.inflow = {1.19e-4, 2.32e-4, 3.39e-3, 0}};
+  rotor.aerodynamics = RotorCoefficients{
+      .thrust = 5.57e-6, .torque = 1.36e-7, .inflow = {1.19e-4, 2.32e-4, 3.39e-3, 0}};
   DirectMass mass;
   mass.mass = 0.5;
   mass.inertia = {.xx = 3.65e-3, .yy = 3.68e-3, .zz = 7.03e-3};

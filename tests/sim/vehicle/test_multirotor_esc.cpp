@@ -197,6 +197,7 @@ class TestMultirotorEsc : public QObject {
     QFETCH(EscParameters, esc);
     VehicleParameters v = vehicle(esc);
     v.supply = BatteryParameters{.charge = 0.8};
+    v.avionicsPower = 6;
     Plant plant(buildMultirotor<4>(v, {}));
     Plant::State y = plant.initialState({});
     std::mt19937 random(7);
@@ -226,12 +227,13 @@ class TestMultirotorEsc : public QObject {
   void rotorEqualsStand_data() {
     QTest::addColumn<EscParameters>("esc");
     QTest::addColumn<double>("second");  // command after half the time
-    QTest::addRow("lag") << EscParameters{} << 0.2;
+    QTest::addRow("lag") << EscParameters{.resistance = 0.005, .responseTime = 0.01} << 0.2;
     QTest::addRow("no lag") << EscParameters{.responseTime = 0} << 0.2;
     QTest::addRow("passive") << EscParameters{.responseTime = 0, .activeBraking = false} << 0.2;
-    QTest::addRow("passive with a lag") << EscParameters{.activeBraking = false} << 0.1;
-    QTest::addRow("limited") << EscParameters{.maxCurrent = 8} << 0.9;
-    QTest::addRow("reversed") << EscParameters{.reverse = true} << -0.5;
+    QTest::addRow("passive with a lag")
+        << EscParameters{.responseTime = 0.01, .activeBraking = false} << 0.1;
+    QTest::addRow("limited") << EscParameters{.responseTime = 0.01, .maxCurrent = 8} << 0.9;
+    QTest::addRow("reversed") << EscParameters{.responseTime = 0.01, .reverse = true} << -0.5;
     QTest::addRow("reversed, passive")
         << EscParameters{.responseTime = 0, .reverse = true, .activeBraking = false} << -0.5;
   }

@@ -287,7 +287,8 @@ void TestLibraryDialog::speedControllersOfAVehicle() {
   QCOMPARE(names(dialog), QStringList{"DJI 420 LITE"});
   click(dialog, "libraryUse");
   QTRY_VERIFY(bench.panel->findChild<LibraryDialog*>() == nullptr);
-  QVERIFY(esc(bench) == (EscParameters{.maxCurrent = 20}));
+  QVERIFY(esc(bench) ==
+          (EscParameters{.resistance = 0.005, .responseTime = 0.01, .maxCurrent = 20}));
   const auto shows = [&](const char* key, const QString& text) {
     auto* field = bench.panel->findChild<QLineEdit*>(place + "." + key);
     return field != nullptr && field->isVisible() && field->text() == text;

@@ -58,13 +58,13 @@ std::shared_ptr<const Recording> logOf(const MotorParameters& motor, int steps =
 }
 
 struct Fixture {
-  MotorParameters truth;
+  MotorParameters truth = djiE305();
   DocumentModel model;
   RunList runs;
   QPointer<FitDialog> dialog;
 
   /// `start`: the motor the experiment has before.
-  explicit Fixture(bool withData = true, int steps = 13, const MotorParameters& start = {})
+  explicit Fixture(bool withData = true, int steps = 13, const MotorParameters& start = djiE305())
       : model(makeDocument(standWithMotor(start))) {
     truth.speedConstant = 1100 * kRpm;
     truth.resistance = 0.15;
@@ -142,7 +142,7 @@ class TestFitDialog : public QObject {
     QVERIFY2(f.message().contains("Undo"), qPrintable(f.message()));
     QCOMPARE(f.model.undoStack()->count(), 1);
     f.model.undoStack()->undo();
-    QVERIFY(f.motor() == MotorParameters{});
+    QVERIFY(f.motor() == djiE305());
     QCOMPARE(f.dialog->findChild<QComboBox*>("fitOutput")->count(), 2);
   }
 
@@ -162,16 +162,16 @@ class TestFitDialog : public QObject {
              qPrintable(f.question()->informativeText()));
     QTest::mouseClick(f.question()->button(QMessageBox::Cancel), Qt::LeftButton);
     QTRY_VERIFY(f.question() == nullptr);
-    QVERIFY(f.motor() == MotorParameters{});
+    QVERIFY(f.motor() == djiE305());
     f.click("fitUse");
     QTRY_VERIFY(f.question() != nullptr);
     f.click("fitUseAnyway");
-    QTRY_VERIFY(f.motor() != MotorParameters{});
+    QTRY_VERIFY(f.motor() != djiE305());
     QVERIFY2(f.message().contains("Undo"), qPrintable(f.message()));
   }
 
   void trustsAFitNearItsStart() {
-    MotorParameters start;
+    MotorParameters start = djiE305();
     start.speedConstant = 1050 * kRpm;
     start.resistance = 0.14;
     start.noLoadCurrent = 0.75;

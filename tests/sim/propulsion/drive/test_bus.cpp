@@ -83,7 +83,7 @@ class TestBus : public QObject {
   /// The search for any load finds the same where friction is as constant as it is here: its smooth
   /// sign differs from 1 by (1/w)^2/2.
   void searchAgrees() {
-    MotorParameters parameters;
+    MotorParameters parameters = djiE305();
     parameters.viscousShare = 0.4;
     const MotorConstants m = buildMotor(parameters);
     constexpr double kLoad = 2.6e-7;

@@ -51,6 +51,8 @@ void TestDriveJacobian::exactJacobianEqualsCentralDifferences() {
   QFETCH(double, duty);
   QFETCH(bool, braking);
   DriveTrainSetup setup;
+  setup.motor = djiE305();
+  setup.esc = {.resistance = 0.005, .responseTime = 0.01};
   if (battery) {
     setup.supply = BatteryParameters{};
   } else {

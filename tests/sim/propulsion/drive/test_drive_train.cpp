@@ -16,6 +16,8 @@ using State = DriveTrain::State;
 DriveTrainSetup e305() {
   DriveTrainSetup setup;
   setup.supply = BatteryParameters{};
+  setup.motor = djiE305();
+  setup.esc = {.resistance = 0.005, .responseTime = 0.01};
   setup.load = {.quadratic = {1, {2.0e-7, 2.0e-7}}, .thrust = {1, {1e-5, 1e-5}}};
   setup.inertia = 6.05e-5;
   return setup;
@@ -73,6 +75,7 @@ class TestDriveTrain : public QObject {
   void dataSheetPoints() {
     DriveTrainSetup setup;
     setup.supply = SupplyParameters{.voltage = 10};
+    setup.motor = djiE305();
     setup.motor.noLoadVoltage = 10;
     setup.motor.maxCurrent = setup.esc.maxCurrent = 1000;
     setup.esc.resistance = 0;

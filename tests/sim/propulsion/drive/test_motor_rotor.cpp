@@ -47,7 +47,7 @@ void TestMotorRotor::noLoadCurrentIsTheDataSheets_data() {
 /// At V0 the motor runs at (V0 - R I0) Kv and draws I0, however the friction is shared.
 void TestMotorRotor::noLoadCurrentIsTheDataSheets() {
   QFETCH(double, viscousShare);
-  MotorParameters p;
+  MotorParameters p = djiE305();
   p.viscousShare = viscousShare;
   const MotorConstants m = buildMotor(p);
   const double speed = (10 - 0.117 * 0.45) * 960 * M_PI / 30;
@@ -57,7 +57,7 @@ void TestMotorRotor::noLoadCurrentIsTheDataSheets() {
 }
 
 void TestMotorRotor::stalledMotorDrawsVoltageOverResistance() {
-  const MotorConstants m = buildMotor({});
+  const MotorConstants m = buildMotor(djiE305());
   QVERIFY(std::abs(m.currentRate(11.1, 11.1 / 0.117, 0.0)) < 1e-8);
   QCOMPARE(m.currentRate(11.1, 0.0, 0.0), 11.1 / 50e-6);
 }
@@ -65,7 +65,7 @@ void TestMotorRotor::stalledMotorDrawsVoltageOverResistance() {
 /// Viscous friction only, no air: w and i are linear with eigenvalues of [[-f/J, K/J], [-K/L,
 /// -R/L]].
 void TestMotorRotor::linearMotorFollowsClosedForm() {
-  MotorParameters p;
+  MotorParameters p = djiE305();
   p.viscousShare = 1;
   p.inductance = 1e-3;
   const MotorConstants m = buildMotor(p);
@@ -97,7 +97,7 @@ void TestMotorRotor::linearMotorFollowsClosedForm() {
 }
 
 void TestMotorRotor::frictionIsOddAndSmooth() {
-  const MotorConstants m = buildMotor({});
+  const MotorConstants m = buildMotor(djiE305());
   QCOMPARE(m.friction(0.0), 0.0);
   QCOMPARE(m.friction(-300.0), -m.friction(300.0));
   QVERIFY(std::abs(m.friction(300.0) - 0.45 * m.torqueConstant) < 1e-5 * m.friction(300.0));

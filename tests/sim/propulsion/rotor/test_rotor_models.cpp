@@ -334,7 +334,9 @@ class TestRotorModels : public QObject {
   void geometryIsThereToDraw() {
     QCOMPARE(rotorRadius(MapPropeller{}), 0.127);
     QCOMPARE(rotorRadius(MeasuredPropeller{}), 0.127);
-    QCOMPARE(rotorRadius(RotorCoefficients{}), 0.1016);
+    QCOMPARE(rotorRadius(RotorCoefficients{.diameter = 0.2032}), 0.1016);
+    // Not known: the one with CT = 0.1, (5.57e-6 4 pi^2/(0.1 1.225))^(1/4) = 0.2058 m.
+    QVERIFY(std::abs(rotorRadius(RotorCoefficients{.thrust = 5.57e-6}) - 0.1029) < 5e-5);
     QVERIFY(rotorGeometry(PropellerCoefficients{}) == nullptr);
     QCOMPARE(rotorGeometry(BladeElementPropeller{})->stations.size(),
              PropellerGeometry{}.stations.size());
