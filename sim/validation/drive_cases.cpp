@@ -340,7 +340,10 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
   // 14 000 rpm/V and 1 Ohm are of the order of a 7 mm coreless motor; four of them in parallel.
   DriveConstants guess = startingFrom(14000, 0.25, points);
   guess.standbyCurrent = 0.2;
-  const HeldOut h = holdOut(points, {.viscous = true, .standby = true}, guess);
+  // One switch and a diode for each; some hundred kHz and a microhenry are of the order.
+  guess.activeBraking = false;
+  guess.ripple = 1 / 0.3;
+  const HeldOut h = holdOut(points, {.viscous = true, .standby = true, .chopping = true}, guess);
   Spread spread;
   addErrors(h, spread);
   CaseResult result;
@@ -364,15 +367,13 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
   result.method =
       "Medians of the plateaus of a ramp of the motors' duty, up and down. Fitted to every other "
       "plateau, four motors as one: K, R, no-load current, viscous friction, load, the current of "
-      "the "
-      "electronics, and one thrust per speed squared. The plateaus between are predicted from duty "
-      "and voltage.";
+      "the electronics, inductance times switching frequency and switching loss, and one thrust "
+      "per speed squared. The plateaus between are predicted from duty and voltage.";
   result.verdict =
       "The balance drifts: at the same speed it reads up to 3 gf more on the way down than on the "
-      "way up and starts below nought, which shows in the thrust at low speed. The duty is that of "
-      "brushed motors without freewheeling control, so that at low duty the current is not "
-      "continuous "
-      "and the averaged converter overrates the voltage.";
+      "way up and starts below nought, which shows in the thrust at low speed. The motors are "
+      "switched without "
+      "freewheeling control: at low duty their current stops in every period.";
   result.sources = {
       "Bitcraze system-identification deck, 2021; github.com/IMRCLab/crazyflie-system-id, commit "
       "b1de46a (MIT)"};
