@@ -68,6 +68,14 @@ void Describe<DriveStand>::fields(schema::Builder<DriveStand>& b) {
           "late by L/R "
           "otherwise; allows steps far above L/R.")
       .advanced();
+  b.check([](const P& p, std::vector<Problem>& problems) {
+    const EscParameters& esc = p.esc;
+    if (p.quasiStaticCurrent &&
+        (esc.pwmFrequency > 0 || esc.switchingLoss > 0 || esc.leadResistance > 0)) {
+      problems.push_back({"quasiStaticCurrent", "leaves out the losses the speed controller states",
+                          "false, or esc.pwmFrequency, switchingLoss and leadResistance 0"});
+    }
+  });
 }
 
 void Describe<DriveRunSettings>::fields(schema::Builder<DriveRunSettings>& b) {

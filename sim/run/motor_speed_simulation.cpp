@@ -35,7 +35,7 @@ class SpeedCommander {
       setPoint_ = steps_[next_++].speed;
     const double bus = train.instant(y).busVoltage;
     voltage_ = controller_.update(setPoint_, y[DriveTrain::kSpeed], bus);
-    throttle_ = voltage_ / bus;
+    throttle_ = train.esc().throttleOf(voltage_ / bus);
     return throttle_;
   }
   [[nodiscard]] static std::vector<Channel> channels() {

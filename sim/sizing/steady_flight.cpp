@@ -80,6 +80,11 @@ DriveDemand SteadyFlight::demand(const Trim& trim) const {
     d.shaftPower += trim.torque[i] * w;
   }
   d.power = d.voltage.dot(d.current) + avionicsPower();
+  const double bus = supply_.openCircuit(supply_.charge);
+  for (int i = 0; i < rotors(); ++i) {
+    const EscConstants& esc = at(i).hub.esc;
+    if (esc.lossy()) d.power += steadyLoss(esc, d.voltage[i] / bus, d.current[i], bus);
+  }
   return d;
 }
 

@@ -15,6 +15,7 @@ struct Case {
   const char* key;      ///< "uiuc-global"
   const char* subject;  ///< one line for lists
   CaseResult (*run)(const std::filesystem::path& resources);
+  bool onDemand = false;  ///< takes minutes: only where it is named
 };
 
 /// All cases in the order of the report. `run` takes the resources folder and throws InputError
@@ -29,6 +30,8 @@ CaseResult propellersWithGlobalConstants(const std::filesystem::path& resources)
 CaseResult propellersWithTwistOffset(const std::filesystem::path& resources);
 CaseResult fullScalePropeller(const std::filesystem::path& resources);
 CaseResult largePropellerPrediction(const std::filesystem::path& resources);
+CaseResult propellersOfHeldOutFamilies(const std::filesystem::path& resources);
+CaseResult standAtPartThrottle(const std::filesystem::path& resources);
 CaseResult thrustStand(const std::filesystem::path& resources);
 CaseResult drivesOnSteps(const std::filesystem::path& resources);
 CaseResult racingDrives(const std::filesystem::path& resources);

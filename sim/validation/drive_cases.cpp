@@ -27,6 +27,7 @@ double magnitudeApart(double model, double measured) {
 /// A drive's points, fitted on the even ones, predicted on the odd ones.
 struct HeldOut {
   DriveConstants constants;
+  std::string atBound;      ///< of the constants
   double thrustFactor = 0;  ///< T/w^2 of the fitted points, N s^2
   std::vector<LoggedPoint> points;
   std::vector<DrivePrediction> predictions;  ///< of all points
@@ -47,11 +48,13 @@ HeldOut holdOut(std::vector<LoggedPoint> points, const DriveFitChoice& choice,
     top += points[i].thrust * points[i].speed * points[i].speed;
     bottom += std::pow(points[i].speed, 4);
   }
-  h.constants = fitDrive(fit, choice, guess);
+  DriveFit found = fitDrive(fit, choice, guess);
+  h.constants = std::move(found.constants);
+  h.atBound = std::move(found.atBound);
   h.thrustFactor = top / bottom;
   h.points = std::move(points);
   for (const LoggedPoint& p : h.points) {
-    h.predictions.push_back(predicted(h.constants, p.duty, p.voltage));
+    h.predictions.push_back(predicted(h.constants, p.throttle, p.voltage));
   }
   return h;
 }
@@ -66,36 +69,30 @@ DriveConstants startingFrom(double kv, double resistance, const std::vector<Logg
       std::max_element(points.begin(), points.end(),
                        [](const auto& a, const auto& b) { return a.current < b.current; });
   c.noLoadCurrent = 0.03 * strongest->current;
-  c.loadCurrent = strongest->current / (strongest->duty * strongest->speed * strongest->speed);
+  c.loadCurrent = strongest->current / (strongest->throttle * strongest->speed * strongest->speed);
   return c;
 }
 
 /// Why constants are not to be read as those of the motor; `kv`: of its label in rpm/V, 0 where it
 /// has none.
-std::string doubtOf(const DriveConstants& c, double kv) {
-  const double found = 1 / (c.torqueConstant * kRpm);
-  std::string negative;
-  const auto judge = [&negative](const char* name, double value) {
-    if (value < 0) negative += (negative.empty() ? "" : ", ") + std::string(name);
-  };
-  judge("Kv", found);
-  judge("R", c.resistance);
-  judge("I0", c.noLoadCurrent);
-  if (!negative.empty()) return negative + " below zero: not determined by the points";
+std::string doubtOf(const HeldOut& h, double kv) {
+  const double found = 1 / (h.constants.torqueConstant * kRpm);
+  if (!h.atBound.empty()) return h.atBound + " at a bound: not determined by the points";
   if (kv > 0 && std::abs(found / kv - 1) > kFarFromStart)
     return "Kv is " + fixed(100 * (found / kv - 1), 0) + " % off its label";
   return "none";
 }
 
 /// The constants that a reader can compare with a data sheet.
-std::vector<std::string> constantCells(const DriveConstants& c, double kv = 0) {
+std::vector<std::string> constantCells(const HeldOut& h, double kv = 0) {
+  const DriveConstants& c = h.constants;
   return {kv > 0 ? fixed(kv, 0) : "none",
           fixed(1 / (c.torqueConstant * kRpm), 0),
           fixed(c.resistance * 1000, 0),
           fixed(c.noLoadCurrent, 3),
           fixed(c.loadCurrent * 1e6, 3),
           fixed(c.standbyCurrent, 3),
-          doubtOf(c, kv)};
+          doubtOf(h, kv)};
 }
 const std::vector<std::string> kConstantHeads{
     "Kv of the label, rpm/V",          "Kv, rpm/V",          "R, m\u03a9", "I0, A",
@@ -111,8 +108,8 @@ SvgChart dutyChart(const HeldOut& h, const std::string& title, bool speed) {
     const LoggedPoint& p = h.points[i];
     const DrivePrediction& m = h.predictions[i];
     (HeldOut::fitted(i) ? used : held)
-        .points.push_back({p.duty, speed ? p.speed / kRpm : p.current});
-    line.points.push_back({p.duty, speed ? m.speed / kRpm : m.current});
+        .points.push_back({p.throttle, speed ? p.speed / kRpm : p.current});
+    line.points.push_back({p.throttle, speed ? m.speed / kRpm : m.current});
   }
   std::sort(line.points.begin(), line.points.end());
   chart.series = {line, used, held};
@@ -178,11 +175,14 @@ CaseResult drivesOnSteps(const fs::path& resources) {
     const HeldOut h = holdOut(std::move(points), {.standby = true}, guess);
     const StepErrors e = stepErrors(h);
     const std::string name = kLogs.at(i).name;
-    result.figures.push_back({name + ": speed of the steps held out, most", "%", e.speed, 3});
-    result.figures.push_back({name + ": current of the steps held out, most", "%", e.current, 6});
-    result.figures.push_back({name + ": current of the steps below 0.5 A, most", "A", e.small, {}});
+    result.figures.push_back(
+        {name + ": speed of the steps held out, most", Evidence::HeldOut, "%", e.speed, 3});
+    result.figures.push_back(
+        {name + ": current of the steps held out, most", Evidence::HeldOut, "%", e.current, 6});
+    result.figures.push_back(
+        {name + ": current of the steps below 0.5 A, most", Evidence::HeldOut, "A", e.small, {}});
     constants.rows.push_back({name});
-    const auto cells = constantCells(h.constants, kLogs.at(i).kv);
+    const auto cells = constantCells(h, kLogs.at(i).kv);
     constants.rows.back().insert(constants.rows.back().end(), cells.begin(), cells.end());
     result.charts.push_back(dutyChart(h, name + ": speed", true));
     result.charts.push_back(dutyChart(h, name + ": current", false));
@@ -258,9 +258,10 @@ void addErrors(const HeldOut& h, Spread& spread) {
 
 void addFigures(const Spread& spread, CaseResult& result) {
   const auto add = [&](const char* name, const std::vector<double>& errors) {
-    result.figures.push_back({std::string(name) + ", median", "%", quantile(errors, 0.5), {}});
     result.figures.push_back(
-        {std::string(name) + ", 90 % quantile", "%", quantile(errors, 0.9), {}});
+        {std::string(name) + ", median", Evidence::HeldOut, "%", quantile(errors, 0.5), {}});
+    result.figures.push_back(
+        {std::string(name) + ", 90 % quantile", Evidence::HeldOut, "%", quantile(errors, 0.9), {}});
   };
   add("speed", spread.speed);
   add("current", spread.current);
@@ -283,7 +284,7 @@ CaseResult racingDrives(const fs::path& resources) {
   const auto fits = inParallel(order.size(), [&](std::size_t i) {
     const auto motor = std::min(static_cast<std::size_t>(order[i]->first.first), kKv.size() - 1);
     const DriveConstants guess = startingFrom(kKv.at(motor), 0.1, order[i]->second);
-    return holdOut(order[i]->second, {.throttleCurve = true}, guess);
+    return holdOut(order[i]->second, {.throttleLine = true}, guess);
   });
   CaseResult result;
   Spread all;
@@ -306,9 +307,8 @@ CaseResult racingDrives(const fs::path& resources) {
   result.title = "Racing motors and five-inch propellers";
   result.method =
       "Every motor with every propeller of the set at 7.4 V and 11.1 V. Six constants per pair are "
-      "fitted to every other point: K, R, no-load current, load, and gain and offset of the duty "
-      "the "
-      "controller makes of its signal; with one thrust per speed squared. The points between are "
+      "fitted to every other point: K, R, no-load current, load, and the signals of no and of full "
+      "duty; with one thrust per speed squared. The points between are "
       "predicted. Left out: what lies beyond the greatest thrust of a run, where the supply "
       "limits.";
   result.verdict =
@@ -340,7 +340,10 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
   // 14 000 rpm/V and 1 Ohm are of the order of a 7 mm coreless motor; four of them in parallel.
   DriveConstants guess = startingFrom(14000, 0.25, points);
   guess.standbyCurrent = 0.2;
-  const HeldOut h = holdOut(points, {.viscous = true, .standby = true}, guess);
+  // One switch and a diode for each; some hundred kHz and a microhenry are of the order.
+  guess.activeBraking = false;
+  guess.ripple = 1 / 0.3;
+  const HeldOut h = holdOut(points, {.viscous = true, .standby = true, .chopping = true}, guess);
   Spread spread;
   addErrors(h, spread);
   CaseResult result;
@@ -357,23 +360,20 @@ CaseResult nanoQuadrotor(const fs::path& resources) {
   chart.series = {line, measured};
   result.charts = {dutyChart(h, "Crazyflie 2.1: mean speed of four rotors", true),
                    dutyChart(h, "Crazyflie 2.1: current of all", false), std::move(chart)};
-  Table constants{
-      "Fitted constants, four motors as one", kConstantHeads, {constantCells(h.constants)}};
+  Table constants{"Fitted constants, four motors as one", kConstantHeads, {constantCells(h)}};
   result.tables = {std::move(constants)};
   result.key = "crazyflie";
   result.title = "Crazyflie 2.1 on the system-identification deck";
   result.method =
       "Medians of the plateaus of a ramp of the motors' duty, up and down. Fitted to every other "
       "plateau, four motors as one: K, R, no-load current, viscous friction, load, the current of "
-      "the "
-      "electronics, and one thrust per speed squared. The plateaus between are predicted from duty "
-      "and voltage.";
+      "the electronics, inductance times switching frequency and switching loss, and one thrust "
+      "per speed squared. The plateaus between are predicted from duty and voltage.";
   result.verdict =
       "The balance drifts: at the same speed it reads up to 3 gf more on the way down than on the "
-      "way up and starts below nought, which shows in the thrust at low speed. The duty is that of "
-      "brushed motors without freewheeling control, so that at low duty the current is not "
-      "continuous "
-      "and the averaged converter overrates the voltage.";
+      "way up and starts below nought, which shows in the thrust at low speed. The motors are "
+      "switched without "
+      "freewheeling control: at low duty their current stops in every period.";
   result.sources = {
       "Bitcraze system-identification deck, 2021; github.com/IMRCLab/crazyflie-system-id, commit "
       "b1de46a (MIT)"};

@@ -170,13 +170,14 @@ CaseResult mapAgainstBladeElements(const std::filesystem::path& resources) {
     thrust.series.push_back({s.name, SvgSeries::Style::Line, color, s.thrustByAngle});
     torque.series.push_back({s.name, SvgSeries::Style::Line, color++, s.torqueByAngle});
   }
-  result.figures = {{"thrust, most", "% of static", mostThrust, 0.2},
-                    {"torque, most", "% of static", mostTorque, 1},
-                    {"thrust edgewise, most", "% of static", edgewise[0], 0.2},
-                    {"torque edgewise, most", "% of static", edgewise[1], 1},
-                    {"in-plane force, most", "% of static thrust", edgewise[2], 0.2},
-                    {"hub moment, most", "% of static thrust and radius", edgewise[3], 0.2},
-                    {"loads that are no finite number", "1", broken, 0}};
+  result.figures = {
+      {"thrust, most", Evidence::SelfCheck, "% of static", mostThrust, 0.2},
+      {"torque, most", Evidence::SelfCheck, "% of static", mostTorque, 1},
+      {"thrust edgewise, most", Evidence::SelfCheck, "% of static", edgewise[0], 0.2},
+      {"torque edgewise, most", Evidence::SelfCheck, "% of static", edgewise[1], 1},
+      {"in-plane force, most", Evidence::SelfCheck, "% of static thrust", edgewise[2], 0.2},
+      {"hub moment, most", Evidence::SelfCheck, "% of static thrust and radius", edgewise[3], 0.2},
+      {"loads that are no finite number", Evidence::SelfCheck, "1", broken, 0}};
   result.tables = {std::move(table)};
   result.charts = {std::move(thrust), std::move(torque), std::move(edgewiseThrust),
                    std::move(edgewiseTorque)};

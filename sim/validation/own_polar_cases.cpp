@@ -119,8 +119,8 @@ CaseResult fullScalePropeller(const fs::path& resources) {
       "T. Theodorsen, G. W. Stickle, M. J. Brevoort, Characteristics of Six Propellers Including "
       "the "
       "High-Speed Range, NACA TR-594, 1937; taken from pyBEMT, K. E. T. Giljarhus, 2020 (MIT)"};
-  result.figures = {{"CT, rms over J", "%", rootMeanSquare(thrustErrors), 4},
-                    {"CP, rms over J", "%", rootMeanSquare(powerErrors), 4}};
+  result.figures = {{"CT, rms over J", Evidence::Fitted, "%", rootMeanSquare(thrustErrors), 4},
+                    {"CP, rms over J", Evidence::Fitted, "%", rootMeanSquare(powerErrors), 4}};
   result.charts = {{"NACA TR-594, propeller C",
                     {"Advance ratio J", 0, {}},
                     {"CT, CP", 0, {}},
@@ -159,7 +159,8 @@ CaseResult largePropellerPrediction(const fs::path& resources) {
       "a prediction, to be compared with measurements a user imports. The outermost station holds "
       "to the tip. The figure only says that the shipped curve is what this program computes.";
   result.sources = {"Geometry and polars: pyBEMT, K. E. T. Giljarhus, 2020 (MIT)"};
-  result.figures = {{"shipped curve against this program, most", "%", apart, 0.1}};
+  result.figures = {
+      {"shipped curve against this program, most", Evidence::SelfCheck, "%", apart, 0.1}};
   result.tables = {std::move(table)};
   result.charts = {{"T-Motor 28 inch at rest, predicted: thrust",
                     {"Speed, rpm", 0, {}},

@@ -1,5 +1,6 @@
 #include "sim/validation/page.h"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "sim/core/error.h"
@@ -48,6 +49,8 @@ details summary { cursor: pointer; color: var(--soft); }
   h2 { break-after: avoid; } }
 )";
 
+constexpr std::size_t kEvidenceWidth = 10;  // of the longest, "self-check"
+
 /// Enough digits to compare with a limit.
 std::string shown(double value) {
   return fixed(value, std::abs(value) < 0.1 ? 3 : 2);
@@ -62,9 +65,10 @@ std::string outcome(const ComparedFigure& figure) {
 std::string figureRows(const CaseResult& result) {
   std::string html;
   for (const ComparedFigure& f : result.figures) {
-    html += "<tr><td>" + escapedMarkup(f.metric) + "</td><td>" + shown(f.value) + "</td><td>" +
-            (f.limit ? numberText(*f.limit) : "") + "</td><td>" +
-            escapedMarkup(f.unit == "1" ? "" : f.unit) + "</td>" + outcome(f) + "</tr>\n";
+    html += "<tr><td>" + escapedMarkup(f.metric) + "</td><td>" + evidenceText(f.evidence) +
+            "</td><td>" + shown(f.value) + "</td><td>" + (f.limit ? numberText(*f.limit) : "") +
+            "</td><td>" + escapedMarkup(f.unit == "1" ? "" : f.unit) + "</td>" + outcome(f) +
+            "</tr>\n";
   }
   return html;
 }
@@ -88,7 +92,8 @@ std::string section(const CaseResult& result) {
   std::string html = "<h2 id=\"" + escapedMarkup(result.key) + "\">" + escapedMarkup(result.title) +
                      "</h2>\n<p>" + escapedMarkup(result.method) + "</p>\n";
   html +=
-      "<div class=\"scroll\"><table><thead><tr><th>Figure</th><th>Value</th><th>Limit</th>"
+      "<div class=\"scroll\"><table><thead><tr><th>Figure</th><th>Evidence</th><th>Value</th>"
+      "<th>Limit</th>"
       "<th>Unit</th><th></th></tr></thead><tbody>\n" +
       figureRows(result) + "</tbody></table></div>\n";
   if (!result.verdict.empty()) html += "<p>" + escapedMarkup(result.verdict) + "</p>\n";
@@ -112,16 +117,28 @@ std::size_t limitsOf(const CaseResult& result, bool onlyMissed) {
   return count;
 }
 
+/// "12 fitted", "2 held out, 4 fitted".
+std::string evidenceOf(const CaseResult& result) {
+  std::string text;
+  for (const Evidence kind : {Evidence::HeldOut, Evidence::Fitted, Evidence::SelfCheck}) {
+    const auto count = std::ranges::count(result.figures, kind, &ComparedFigure::evidence);
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + ' ' + evidenceText(kind);
+  }
+  return text;
+}
+
 /// One line a case, with links to the sections.
 std::string overview(const std::vector<CaseResult>& results) {
   std::string html =
       "<div "
-      "class=\"scroll\"><table><thead><tr><th>Case</th><th>Limits</th><th></th></tr></"
-      "thead><tbody>\n";
+      "class=\"scroll\"><table><thead><tr><th>Case</th><th>Figures</th><th>Limits</th><th></th></"
+      "tr>"
+      "</thead><tbody>\n";
   for (const CaseResult& r : results) {
     const std::size_t limits = limitsOf(r, false), missed = limitsOf(r, true);
     html += "<tr><td><a href=\"#" + escapedMarkup(r.key) + "\">" + escapedMarkup(r.title) +
-            "</a></td><td>" + std::to_string(limits) + "</td>";
+            "</a></td><td>" + evidenceOf(r) + "</td><td>" + std::to_string(limits) + "</td>";
     if (limits == 0) {
       html += "<td class=\"soft\">reported</td>";
     } else if (missed == 0) {
@@ -145,7 +162,10 @@ nlohmann::ordered_json chartJson(const SvgChart& chart) {
 nlohmann::ordered_json caseJson(const CaseResult& result) {
   nlohmann::ordered_json figures = nlohmann::ordered_json::array();
   for (const ComparedFigure& f : result.figures) {
-    nlohmann::ordered_json figure{{"metric", f.metric}, {"unit", f.unit}, {"value", f.value}};
+    nlohmann::ordered_json figure{{"metric", f.metric},
+                                  {"evidence", evidenceText(f.evidence)},
+                                  {"unit", f.unit},
+                                  {"value", f.value}};
     figure["limit"] = f.limit ? nlohmann::ordered_json(*f.limit) : nlohmann::ordered_json();
     figure["passed"] = f.passed();
     figures.push_back(std::move(figure));
@@ -185,7 +205,9 @@ std::string pageHtml(const std::vector<CaseResult>& results) {
       std::string(kStyle) + "</style></head><body>\n<h1>Rotorbench validation</h1>\n";
   html +=
       "<p class=\"soft\">Models of this program against measurements of others. Points are "
-      "measured, lines are computed.</p>\n";
+      "measured, lines are computed. A figure is held out where nothing was fitted to what it "
+      "compares with, fitted where something was fitted to it or chosen with it in view, and a "
+      "self-check where the program is compared with itself.</p>\n";
   html += overview(results);
   for (const CaseResult& r : results) html += section(r);
   return html + "</body></html>\n";
@@ -199,11 +221,12 @@ std::string resultsJson(const std::vector<CaseResult>& results) {
 }
 
 std::string resultsCsv(const std::vector<CaseResult>& results) {
-  std::string csv = "case,metric,unit,value,limit,passed\n";
+  std::string csv = "case,metric,evidence,unit,value,limit,passed\n";
   for (const CaseResult& r : results) {
     for (const ComparedFigure& f : r.figures) {
-      csv += r.key + ',' + csvText(f.metric) + ',' + csvText(f.unit) + ',' + numberText(f.value) +
-             ',' + (f.limit ? numberText(*f.limit) : "") + ',' + (f.passed() ? "1" : "0") + '\n';
+      csv += r.key + ',' + csvText(f.metric) + ',' + evidenceText(f.evidence) + ',' +
+             csvText(f.unit) + ',' + numberText(f.value) + ',' +
+             (f.limit ? numberText(*f.limit) : "") + ',' + (f.passed() ? "1" : "0") + '\n';
     }
   }
   return csv;
@@ -215,7 +238,9 @@ std::string resultsText(const std::vector<CaseResult>& results) {
     text += r.title + '\n';
     for (const ComparedFigure& f : r.figures) {
       const std::string unit = f.unit == "1" ? "" : " " + f.unit;
-      text += std::string("  ") +
+      std::string evidence = evidenceText(f.evidence);
+      evidence.resize(kEvidenceWidth, ' ');
+      text += std::string("  ") + evidence + "  " +
               (!f.limit     ? "      "
                : f.passed() ? "holds "
                             : "MISSED") +

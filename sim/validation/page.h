@@ -17,7 +17,8 @@ std::string pageHtml(const std::vector<CaseResult>& results);
 /// point of the charts; what is no finite number is null.
 std::string resultsJson(const std::vector<CaseResult>& results);
 
-/// case,metric,unit,value,limit,passed; one figure a line, the limit empty where there is none.
+/// case,metric,evidence,unit,value,limit,passed; one figure a line, the limit empty
+/// where there is none.
 std::string resultsCsv(const std::vector<CaseResult>& results);
 
 /// One line a figure, for a terminal.

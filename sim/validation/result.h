@@ -11,10 +11,31 @@
 
 namespace rotorbench::validation {
 
+/// What a figure is evidence of.
+enum class Evidence {
+  Fitted,     ///< something was fitted or chosen with what it compares with in view
+  SelfCheck,  ///< the program against itself: nothing measured
+  HeldOut     ///< against measurements that nothing was fitted to or chosen by
+};
+
+/// "fitted", "self-check", "held out".
+inline const char* evidenceText(Evidence evidence) {
+  switch (evidence) {
+    case Evidence::Fitted:
+      return "fitted";
+    case Evidence::SelfCheck:
+      return "self-check";
+    case Evidence::HeldOut:
+      return "held out";
+  }
+  return "";
+}
+
 /// A figure and the most it may be; without a limit it is only reported.
 struct ComparedFigure {
   std::string metric;
-  std::string unit;  ///< "%", "points" of efficiency in percent, "1"
+  Evidence evidence = Evidence::Fitted;  ///< stands before the unit so that none is left out
+  std::string unit;                      ///< "%", "points" of efficiency in percent, "1"
   double value = 0;
   std::optional<double> limit;
 

@@ -17,7 +17,7 @@ namespace rotorbench::validation {
 namespace {
 
 struct Step {
-  double signal, voltage, current, speed, thrust;  // s, V, A, rad/s, N
+  double signal, voltage, current, speed, thrust;  // us, V, A, rad/s, N
 };
 
 std::vector<Step> readSteps(const std::filesystem::path& file) {
@@ -85,7 +85,7 @@ Sweep sweep(Stand& stand, const std::vector<Step>& steps) {
     const double thrust = apart(a.thrust, step.thrust), current = apart(a.current, step.current);
     s.mostThrust = std::max(s.mostThrust, std::abs(thrust));
     s.mostCurrent = std::max(s.mostCurrent, std::abs(current));
-    s.table.rows.push_back({fixed(step.signal * 1e6, 0), fixed(step.voltage, 2),
+    s.table.rows.push_back({fixed(step.signal, 0), fixed(step.voltage, 2),
                             fixed(step.speed / kRpm, 0), fixed(step.thrust, 2), fixed(a.thrust, 2),
                             fixed(thrust, 1), fixed(step.current, 2), fixed(a.current, 2),
                             fixed(current, 1), fixed(a.duty, 3)});
@@ -128,15 +128,18 @@ CaseResult thrustStand(const std::filesystem::path& resources) {
       "the logged speed.";
   result.verdict =
       "At part throttle the log is a sweep by hand: the rotor is partly still speeding up where a "
-      "signal was held for few rows, and the converter of the model has no switching losses.";
+      "signal was held for few rows, and this experiment's speed controller states no losses of "
+      "chopping: the case of part throttle identifies them.";
   result.sources = {
       "github.com/Darlock7/Nimbus-Package-Delivery-UAV, commit 914c389, 'Prop Tests/10x4.7.csv': "
       "RCbenchmark 1580 log; motor constants of the same authors"};
-  result.figures = {{"full throttle: thrust", "%", std::abs(apart(top.thrust, full.thrust)), 8},
-                    {"full throttle: speed", "%", std::abs(apart(top.speed, full.speed)), 8},
-                    {"full throttle: current", "%", std::abs(apart(top.current, full.current)), 8},
-                    {"whole sweep at the logged speed: thrust, most", "%", s.mostThrust, {}},
-                    {"whole sweep at the logged speed: current, most", "%", s.mostCurrent, {}}};
+  result.figures = {
+      {"full throttle: thrust", Evidence::Fitted, "%", std::abs(apart(top.thrust, full.thrust)), 8},
+      {"full throttle: speed", Evidence::Fitted, "%", std::abs(apart(top.speed, full.speed)), 8},
+      {"full throttle: current", Evidence::Fitted, "%", std::abs(apart(top.current, full.current)),
+       8},
+      {"whole sweep at the logged speed: thrust, most", Evidence::Fitted, "%", s.mostThrust, {}},
+      {"whole sweep at the logged speed: current, most", Evidence::Fitted, "%", s.mostCurrent, {}}};
   result.tables = {std::move(s.table)};
   result.charts = {
       {"Thrust", {"Speed, rpm", 0, {}}, {"Thrust, N", 0, {}}, {s.modelThrust, s.thrust}},

@@ -23,6 +23,7 @@
 #include "sim/environment/environment.h"
 #include "sim/propulsion/drive/battery.h"
 #include "sim/propulsion/drive/bus.h"
+#include "sim/propulsion/drive/conversion.h"
 #include "sim/propulsion/drive/esc.h"
 #include "sim/propulsion/drive/motor.h"
 #include "sim/propulsion/rotor/rotor.h"
@@ -81,6 +82,7 @@ struct MultirotorConstants {
   BodyDrag drag;
   bool lumped = true;      ///< every rotor: `lanes` holds all of them
   bool passive = false;    ///< some speed controller does not brake actively
+  bool lossy = false;      ///< some speed controller states losses of conversion.h
   double openCircuit = 0;  ///< V, of the supply at the start; of one that never empties always
   Supply supply{SupplyModel{}};
   double avionicsPower = 0;  ///< W
@@ -239,6 +241,9 @@ class Multirotor {
   /// Some speed controller gives other than its duty asks for.
   template <class S>
   [[nodiscard]] bool someLimit(const LanesOf<S>& excess) const;
+  template <class S>
+  void addLosses(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
+                 Electrical<S>& at) const;
   template <class S>
   void limitVoltages(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
                      Electrical<S>& at) const;

@@ -62,6 +62,10 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   }
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = at.duty * at.bus - lanes.escResistance * current;
+  if (constants_.lossy) [[unlikely]] {
+    addLosses(current, back, inner, at);
+    return at;
+  }
   const Lanes excess = at.voltage - back;
   if (someLimit(excess)) limitVoltages(current, back, inner, at);
   return at;
@@ -80,6 +84,39 @@ inline bool Multirotor<N, Drive>::someLimit(const LanesOf<S>& excess) const {
     }
     return false;
   }
+}
+
+/// As DriveTrain does it for one motor, at the duties and the bus of converters without losses.
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::addLosses(const LanesOf<S>& current,
+                                                       const LanesOf<S>& back, const S& inner,
+                                                       Electrical<S>& at) const {
+  using std::max;
+  const double r = constants_.supply.resistance;
+  const S lossless = max(S(at.bus), S(0.5 * inner));
+  std::array<Conversion<S>, N> all;
+  S drawn = S(constants_.avionicsPower / lossless), perVoltage = S(0.0);
+  for (int i = 0; i < N; ++i) {
+    auto& one = all[static_cast<std::size_t>(i)];
+    const EscConstants& esc = constants_.hubs[static_cast<std::size_t>(i)].esc;
+    one = conversion(esc, S(at.duty[i]), S(current[i]), S(back[i]), lossless);
+    drawn += one.duty * current[i] + one.chopped;
+    perVoltage += one.perVoltage;
+  }
+  const S bus = S((inner - r * drawn) / (1.0 + r * perVoltage));
+  S power = S(constants_.avionicsPower);
+  for (int i = 0; i < N; ++i) {
+    const auto& one = all[static_cast<std::size_t>(i)];
+    const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+    const S path = S(hub.esc.resistance + hub.esc.leadResistance * one.duty * one.duty);
+    at.voltage[i] = hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]),
+                                    S(one.duty * bus - path * current[i]), S(back[i]));
+    power += converterPower(S(at.voltage[i]), hub.esc.resistance, S(current[i])) +
+             conversionLoss(hub.esc, one, S(current[i]), bus);
+  }
+  at.bus = busVoltage<S>(inner, power, r);
+  at.supplyCurrent = power / at.bus;
 }
 
 template <int N, RotorDrive Drive>

@@ -57,7 +57,7 @@ struct MultirotorForces {
 struct FlightPowers {
   double source;        ///< OCV i, taken from the cells
   double supplyLoss;    ///< R_0 i^2 + v_rc i
-  double escLoss;       ///< sum of R_esc i^2
+  double escLoss;       ///< what the speed controllers take and do not give to the motors
   double copperLoss;    ///< sum of R i^2
   double frictionLoss;  ///< sum of friction(w) w
   double shaft;         ///< sum of Q w: what the air takes

@@ -161,6 +161,7 @@ MultirotorConstants<N> buildMultirotor(const VehicleParameters& vehicle,
   c.lumped =
       std::ranges::all_of(c.hubs, [](const auto& hub) { return hub.rotor.model == nullptr; });
   c.passive = std::ranges::any_of(c.hubs, [](const auto& hub) { return !hub.esc.activeBraking; });
+  c.lossy = std::ranges::any_of(c.hubs, [](const auto& hub) { return hub.esc.lossy(); });
   if (!c.lumped) detail::lineariseAtHover(c);
   c.lanes = detail::lanesOf<N>(c.hubs);
   return c;
@@ -225,10 +226,12 @@ FlightPowers Multirotor<N, Drive>::powers(double t, const State& y) const {
   p.source = openCircuit(y) * i;
   p.supplyLoss = constants_.supply.resistance * i * i + y[L::kPolarisation] * i;
   p.avionics = Drive == RotorDrive::Motors ? constants_.avionicsPower : 0;
+  if (constants_.lossy) p.escLoss = forces.busVoltage * i - p.avionics;
   for (int k = 0; k < N; ++k) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(k)];
     const double w = y[L::kSpeed + k], current = y[L::kCurrent + k];
-    p.escLoss += hub.esc.resistance * current * current;
+    p.escLoss += constants_.lossy ? -forces.voltage[static_cast<std::size_t>(k)] * current
+                                  : hub.esc.resistance * current * current;
     p.copperLoss += hub.motor.resistance * current * current;
     p.frictionLoss += hub.motor.friction(w) * w;
     p.shaft += forces.torque[static_cast<std::size_t>(k)] * w;
@@ -315,14 +318,27 @@ typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::steadyDuties(const Command& speeds,
                                                                           double density) const {
-  Command current, voltage;
+  Command current, voltage, duty;
+  double losses = 0;
   for (int i = 0; i < N; ++i) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
     current[i] = hub.motor.steadyCurrent(speeds[i], hub.rotor.atRest(speeds[i], density).torque);
     voltage[i] = hub.drive().steadyVoltage(speeds[i], current[i]);
   }
   const double power = voltage.dot(current) + constants_.avionicsPower;
-  return voltage / busVoltage(constants_.openCircuit, power, constants_.supply.resistance);
+  const double r = constants_.supply.resistance;
+  const double bus = busVoltage(constants_.openCircuit, power, r);
+  if (!constants_.lossy) return voltage / bus;
+  for (int i = 0; i < N; ++i) {
+    const EscConstants& esc = constants_.hubs[static_cast<std::size_t>(i)].esc;
+    losses += steadyLoss(esc, voltage[i] / bus, current[i], bus);
+  }
+  const double under = busVoltage(constants_.openCircuit, power + losses, r);
+  for (int i = 0; i < N; ++i) {
+    const EscConstants& esc = constants_.hubs[static_cast<std::size_t>(i)].esc;
+    duty[i] = dutyForShare(esc, voltage[i] / under, current[i], under);
+  }
+  return duty;
 }
 
 template <int N, RotorDrive Drive>

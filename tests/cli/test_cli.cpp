@@ -277,7 +277,8 @@ class TestCli : public QObject {
       const QJsonObject chart = c["charts"].toArray()[0].toObject();
       QVERIFY(!chart["series"].toArray()[0].toObject()["points"].toArray().isEmpty());
     }
-    QVERIFY(contents(folder + "/results.csv").startsWith("case,metric,unit,value,limit,passed\n"));
+    QVERIFY(contents(folder + "/results.csv")
+                .startsWith("case,metric,evidence,unit,value,limit,passed\n"));
   }
 
   void wrongValidationIsNamed() {

@@ -36,8 +36,11 @@ DriveTrain::DriveTrain(const DriveTrainSetup& setup)
       load_(setup.load),
       esc_(buildEsc(setup.esc, motor_)),
       inverseInertia_(1 / setup.inertia),
-      quasiStatic_(setup.quasiStaticCurrent) {
+      quasiStatic_(setup.quasiStaticCurrent),
+      lossy_(esc_.lossy() && !setup.quasiStaticCurrent) {
   if (!setup.unlimited) return;
+  esc_.throttleStart = 0;
+  esc_.throttleFull = 1;
   esc_.least = -kInfinity;
   esc_.most = esc_.maxCurrent = kInfinity;
   esc_.activeBraking = true;
@@ -51,7 +54,8 @@ DriveTrain::State DriveTrain::initialState() const {
 
 void DriveTrain::setThrottle(double throttle, State& y) {
   throttle_ = allowedThrottle(throttle);
-  y[kDuty] = esc_.duty(throttle_, double{y[kDuty]});
+  asked_ = esc_.dutyOf(throttle_);
+  y[kDuty] = esc_.duty(asked_, double{y[kDuty]});
   esc_.settle(y[kDuty], y[kCurrent]);
 }
 
@@ -70,7 +74,8 @@ DrivePowers DriveTrain::powers(const State& y) const {
   p.source = at.openCircuit * at.busCurrent;
   p.supplyLoss =
       supply_.resistance * at.busCurrent * at.busCurrent + y[kPolarisation] * at.busCurrent;
-  p.escLoss = esc_.resistance * i * i;
+  p.escLoss =
+      lossy_ ? at.busVoltage * at.busCurrent - at.motorVoltage * i : esc_.resistance * i * i;
   p.copperLoss = motor_.resistance * i * i;
   p.frictionLoss = motor_.friction(w) * w;
   p.load = load_.torque(w) * w;
@@ -89,20 +94,36 @@ double DriveTrain::fastestPole(double w) const {
   return rotorbench::fastestPole(motor_, r, drag, 1 / inverseInertia_);
 }
 
+double DriveTrain::heldCurrent(const State& y, double speed) const {
+  const double sign = y[kDuty] < 0 ? -1 : 1;
+  State at = y;
+  at[kSpeed] = speed;
+  const auto surplus = [&](double current) {
+    at[kCurrent] = sign * current;
+    const double terminal = sign * instant(at).motorVoltage;
+    return terminal - motor_.resistance * current - sign * motor_.torqueConstant * speed;
+  };
+  const double inner = supply_.openCircuit(double{y[kCharge]}) - y[kPolarisation];
+  const double most = (inner - sign * motor_.torqueConstant * speed) / motor_.resistance;
+  return most > 0 ? fallingRoot(surplus, most) : 0;
+}
+
 DriveTrain::State DriveTrain::steadyState(double throttle, double charge,
                                           double polarisation) const {
   State y = State::Zero();
-  y[kDuty] = allowedThrottle(throttle);
+  y[kDuty] = esc_.dutyOf(allowedThrottle(throttle));
   y[kCharge] = charge;
   y[kPolarisation] = polarisation;
   const double sign = y[kDuty] < 0 ? -1 : 1;
   const double inner = supply_.openCircuit(charge) - polarisation;
   const double duty = y[kDuty];
   const auto current = [&](double w) {
+    if (lossy_) return heldCurrent(y, sign * w);
     return sign * quasiStaticCurrent(duty, inner, sign * motor_.torqueConstant * w);
   };
-  const double free = std::abs(y[kDuty]) * inner / motor_.torqueConstant;
-  if (!(free > 0)) return y;
+  if (!(std::abs(duty) > 0) || !(inner > 0)) return y;
+  // An interrupted current lets the motor turn faster than its share of the voltage.
+  const double free = (lossy_ ? 1 : std::abs(duty)) * inner / motor_.torqueConstant;
   const double w = fallingRoot(
       [&](double speed) {
         return motor_.torqueConstant * current(speed) - motor_.friction(speed) -

@@ -1,11 +1,12 @@
 // One motor on a stand: supply -> speed controller -> motor -> load, coupled as they are in a
 // vehicle. SI units; speed positive in the rotor's own sense.
 //   bus       see bus.h;   dz/dt = -i_bus/Q,   dv_rc/dt = (R_1 i_bus - v_rc)/tau_1
-//   converter see esc.h
+//   converter see esc.h, its losses conversion.h
 //   motor     L di/dt = v - R i - K w,   J dw/dt = K i - friction(w) - load(w)        thesis 2014,
 //             figure 3.11
 // With quasi-static current L is taken as 0: i follows v and w at once, which is exact in the
-// steady state and late by L/R otherwise.
+// steady state and late by L/R otherwise; the ripple of a current needs an inductance, so that then
+// the converter has no losses but its resistance.
 #pragma once
 
 #include <Eigen/Core>
@@ -16,6 +17,7 @@
 #include "sim/core/scalar.h"
 #include "sim/propulsion/drive/battery.h"
 #include "sim/propulsion/drive/bus.h"
+#include "sim/propulsion/drive/conversion.h"
 #include "sim/propulsion/drive/esc.h"
 #include "sim/propulsion/drive/motor.h"
 
@@ -82,7 +84,7 @@ struct DriveInstant {
 struct DrivePowers {
   double source;        ///< OCV i_bus, taken from the cells
   double supplyLoss;    ///< R_0 i_bus^2 + v_rc i_bus
-  double escLoss;       ///< R_esc i^2
+  double escLoss;       ///< what the converter takes and does not give: R_esc i^2 and conversion.h
   double copperLoss;    ///< R i^2
   double frictionLoss;  ///< friction(w) w
   double load;          ///< load(w) w, the shaft power
@@ -125,6 +127,9 @@ class DriveTrain {
     if (quasiStatic_) {
       at.current = quasiStaticCurrent(at.duty, inner, back);
       at.motorVoltage = S(motor_.resistance * at.current + back);
+    } else if (lossy_) {
+      lossyInstant(S(inner), back, S(y[kCurrent]), at);
+      return at;
     } else {
       at.current = y[kCurrent];
       const S free = S(at.duty * (inner - supply_.resistance * at.duty * at.current) -
@@ -144,7 +149,7 @@ class DriveTrain {
     dydt[kCurrent] = quasiStatic_ ? S(0) : motor_.currentRate(at.motorVoltage, at.current, w);
     dydt[kSpeed] = (motor_.torqueConstant * at.current - motor_.friction(w) - load_.torque(w)) *
                    inverseInertia_;
-    dydt[kDuty] = esc_.rate(S(throttle_), S(y[kDuty]));
+    dydt[kDuty] = esc_.rate(S(asked_), S(y[kDuty]));
     dydt[kCharge] = -at.busCurrent * supply_.inverseCapacity;
     dydt[kPolarisation] =
         (supply_.polarisation * at.busCurrent - y[kPolarisation]) * supply_.inversePolarisationTime;
@@ -172,6 +177,26 @@ class DriveTrain {
   [[nodiscard]] double maxCurrent() const { return esc_.maxCurrent; }
 
  private:
+  /// Current, voltages and bus of a converter with losses.
+  template <class S>
+  void lossyInstant(const S& inner, const S& back, const S& current, DriveInstant<S>& at) const {
+    using std::max;
+    at.current = current;
+    const double r = supply_.resistance;
+    // The ripple is that under the voltage a converter without losses would see.
+    const S lossless = S(max(S(inner - r * at.duty * current), S(0.5 * inner)));
+    const Conversion<S> c = conversion(esc_, at.duty, current, back, lossless);
+    const S bus = S((inner - r * (c.duty * current + c.chopped)) / (1.0 + r * c.perVoltage));
+    const S free =
+        S(c.duty * bus - (esc_.resistance + esc_.leadResistance * c.duty * c.duty) * current);
+    at.motorVoltage = esc_.voltage(motor_, at.duty, current, free, back);
+    const S power = S(converterPower(at.motorVoltage, esc_.resistance, current) +
+                      conversionLoss(esc_, c, current, bus));
+    at.busVoltage = busVoltage(inner, power, r);
+    at.busCurrent = S(power / at.busVoltage);
+  }
+  /// The current in A that a duty holds at a speed, inductance or not.
+  [[nodiscard]] double heldCurrent(const State& y, double speed) const;
   /// The current of a winding without inductance, the sag of the supply in it, at a back-EMF.
   template <class S>
   [[nodiscard]] S quasiStaticCurrent(const S& duty, const S& inner, const S& back) const {
@@ -186,7 +211,8 @@ class DriveTrain {
   EscConstants esc_;
   double inverseInertia_;
   bool quasiStatic_;
-  double throttle_ = 0;
+  bool lossy_;                       ///< the losses of conversion.h act
+  double throttle_ = 0, asked_ = 0;  ///< as given, and the duty the speed controller makes of it
 };
 
 }  // namespace rotorbench

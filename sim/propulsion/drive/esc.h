@@ -8,10 +8,13 @@
 // v >= s K w, so that a current dies away with L/R and leaves the motor alone, and never below a
 // shorted bridge, s v >= -R_esc s i, so that no power returns to the supply, even where a rotor
 // turns against its duty and no limit can hold its current.
+// What a real one loses beside that, and how its diodes change the voltage at little current:
+// conversion.h.
 //   R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 3
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "sim/core/scalar.h"
 #include "sim/core/schema.h"
@@ -27,6 +30,11 @@ struct EscParameters {
   double maxCurrent = kMostCurrentLimit;  ///< A, kept by limiting the voltage
   bool reverse = false;                   ///< duty in -1..1 instead of 0..1
   bool activeBraking = true;              ///< else no current flows back
+  double throttleStart = 0;               ///< throttle below which the duty is 0
+  double throttleFull = 1;                ///< throttle from which on the duty is 1
+  double pwmFrequency = 0;                ///< Hz, of the switches; 0: the current has no ripple
+  double switchingLoss = 0;   ///< of V i, lost where the voltage is chopped; see conversion.h
+  double leadResistance = 0;  ///< Ohm, of the leads between supply and converter
   bool operator==(const EscParameters&) const = default;
 };
 
@@ -57,8 +65,26 @@ struct EscConstants : DutyModel<double> {
   double resistance = 0;  ///< Ohm
   double maxCurrent = 0;  ///< A, the lower limit of motor and speed controller
   bool activeBraking = true;
+  double throttleStart = 0, throttleFull = 1;
+  double switchingLoss = 0;
+  double leadResistance = 0;  ///< Ohm
+  double ripple = 0;          ///< A/V: 1/(L f); 0 where the current has no ripple
+  double pathResistance = 0;  ///< Ohm, of winding and switches
 
   [[nodiscard]] double allowed(double command) const { return std::clamp(command, least, most); }
+  /// Something of conversion.h acts.
+  [[nodiscard]] bool lossy() const { return switchingLoss > 0 || leadResistance > 0 || ripple > 0; }
+  /// What a speed controller makes of a throttle, by the straight line between the two ends it was
+  /// calibrated to; and the throttle that gives a duty. Both odd.
+  [[nodiscard]] double dutyOf(double throttle) const {
+    if (throttleStart == 0 && throttleFull == 1) return throttle;
+    const double part = (std::abs(throttle) - throttleStart) / (throttleFull - throttleStart);
+    return std::copysign(std::clamp(part, 0.0, 1.0), throttle);
+  }
+  [[nodiscard]] double throttleOf(double duty) const {
+    if (duty == 0 || (throttleStart == 0 && throttleFull == 1)) return duty;
+    return std::copysign(throttleStart + std::abs(duty) * (throttleFull - throttleStart), duty);
+  }
 
   /// Terminal voltage in V of a motor with back-EMF `back` in V: `free` = d V - R_esc i as far as
   /// the limit of the current and the way it may flow let it. Any scalar.
