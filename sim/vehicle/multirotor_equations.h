@@ -54,11 +54,42 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   at.duty = lanes.duty.duty(commanded, follows);
   at.supplyCurrent = Lanes(at.duty * current).sum();
   at.bus = inner - constants_.supply.resistance * at.supplyCurrent;
+  if (valueOf(at.bus) < 0) [[unlikely]]
+    collapse(inner, at);
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = at.duty * at.bus - lanes.escResistance * current;
   const Lanes excess = at.voltage - back;
   if (someLimit(excess)) limitVoltages(current, back, inner, at);
   return at;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::collapse(const S& inner, Electrical<S>& at) const {
+  const BusPoint<S> none = emptyBus(inner, constants_.supply.resistance);
+  at.bus = none.voltage;
+  at.supplyCurrent = none.current;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::weakBus(const LanesOf<S>& current,
+                                                     const LanesOf<S>& back, const S& inner,
+                                                     Electrical<S>& at) const {
+  const LanesOf<S> asked = at.duty;
+  const auto drawn = [&](const S& bus) {
+    S sum(0.0);
+    for (int i = 0; i < N; ++i) {
+      const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+      at.duty[i] = hub.esc.shareOf(hub.motor, S(asked[i]), S(current[i]), S(back[i]), bus);
+      sum += at.duty[i] * current[i];
+    }
+    return sum;
+  };
+  const BusPoint<S> point = loadedBus<S>(inner, constants_.supply.resistance, drawn);
+  at.bus = point.voltage;
+  at.supplyCurrent = point.current;
+  at.voltage = at.duty * at.bus - constants_.lanes.escResistance * current;
 }
 
 template <int N, RotorDrive Drive>
@@ -88,7 +119,10 @@ template <class S>
         hub.esc.voltage(hub.motor, S(at.duty[i]), S(current[i]), S(at.voltage[i]), S(back[i]));
   }
   const S power = converterPower<Lanes>(at.voltage, constants_.lanes.escResistance, current).sum();
-  at.bus = busVoltage<S>(inner, power, constants_.supply.resistance);
+  const double resistance = constants_.supply.resistance;
+  if (!isStrongBus(valueOf(at.bus), valueOf(inner), valueOf(power), resistance)) [[unlikely]]
+    return weakBus<S>(current, back, inner, at);
+  at.bus = busVoltage<S>(inner, power, resistance);
   at.supplyCurrent = power / at.bus;
 }
 

@@ -296,6 +296,11 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
 
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const {
+  if (!(constants_.air.density(0.0) > 0) && constants_.gravity > 0) {
+    throw InputError({}, {{{},
+                           "cannot hover where there is no air",
+                           "an air density above 0, or rotors that start stopped or at a speed"}});
+  }
   const Command squares = detail::hoverSquares(constants_);
   if (!(squares.minCoeff() >= 0) || !squares.allFinite()) {
     throw InputError({}, {{"layout", "the rotors cannot hold the vehicle level",
