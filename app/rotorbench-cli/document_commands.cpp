@@ -23,7 +23,7 @@ void addSetCommand(CLI::App& app, int& code) {
   };
   auto options = std::make_shared<Options>();
   auto* set = app.add_subcommand("set", "Write an experiment file with some parameters changed");
-  set->add_option("FILE", options->file, "Experiment file")->required();
+  set->add_option("FILE", options->file, kExperimentHelp)->required();
   set->add_option("EDITS", options->edits, "path=value, as for run --set")->required();
   set->add_option("--output,-o", options->output, "File to write (default: standard output)");
   set->callback([options, &code] {

@@ -5,6 +5,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/document/experiment_file.h"
+#include "sim/document/resources.h"
 #include "sim/run/preflight.h"
 
 namespace rotorbench::cli {
@@ -33,12 +34,30 @@ void applyEdits(schema::Ref document, const std::vector<std::string>& edits) {
     loose.follower->follow(loose.owner.object);
 }
 
+std::filesystem::path experimentFile(const std::string& given) {
+  std::error_code error;
+  if (given.find('/') != std::string::npos || std::filesystem::exists(given, error)) return given;
+  std::vector<std::string> names;
+  for (const ShippedExperiment& e : shippedExperiments()) {
+    if (e.name == given) return e.file;
+    names.push_back(e.name);
+  }
+  const auto near = schema::nearest(given, names);
+  throw InputError(given,
+                   {{{},
+                     "there is no such file, and no shipped experiment of this name",
+                     near ? "nearest is " + *near : "rotorbench-cli list prints the names"}});
+}
+
 Experiment loadEdited(const std::string& file, const std::vector<std::string>& edits) {
-  Experiment experiment = loadExperiment(file);
+  Experiment experiment = loadExperiment(experimentFile(file));
   applyEdits(schema::ref(experiment), edits);
   const std::string source = edits.empty() ? file : "--set";
   sayWarnings(source, schema::validate(schema::ref(experiment)));
-  sayWarnings(source, runWarnings(experiment));
+  std::vector<Problem> found = runWarnings(experiment);
+  // What only the run refuses must not keep a file from being changed.
+  for (Problem& problem : found) problem.warning = true;
+  sayWarnings(source, std::move(found));
   return experiment;
 }
 

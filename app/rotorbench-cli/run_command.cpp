@@ -81,7 +81,7 @@ Outcome drive(Simulation& simulation) {
   }
   line.clear();
   return {simulation.runs(),
-          {simulation.metrics(), simulation.verdicts(), {}},
+          {simulation.metrics(), simulation.verdicts(), {}, simulation.events()},
           simulation.changes(),
           simulation.failure(),
           simulation.progress().time};
@@ -94,7 +94,7 @@ Outcome driveLive(std::unique_ptr<Simulation> simulation, Pace pace) {
       [&line](const Progress& progress) { line.show(progress); });
   line.clear();
   RunStatus& status = live.status;
-  return {status.outputs,       {status.metrics, status.verdicts, {}},
+  return {status.outputs,       {status.metrics, status.verdicts, {}, status.events},
           *status.changes,      status.failure,
           status.progress.time, live.wrong > 0};
 }
@@ -102,6 +102,11 @@ Outcome driveLive(std::unique_ptr<Simulation> simulation, Pace pace) {
 int report(const Outcome& outcome) {
   for (const Verdict& verdict : outcome.summary.verdicts)
     std::fprintf(stderr, "The run did not go as asked: %s\n", sentence(verdict).c_str());
+  // Limits act in good flights too, and the metrics tell of them; a recording of fewer rows than
+  // asked for is another matter.
+  for (const RunEvent& event : outcome.summary.events)
+    if (event.name == "recording_thinned")
+      std::fprintf(stderr, "Note: %s\n", sentence(event).c_str());
   if (outcome.failure) {
     const auto& failure = *outcome.failure;
     std::fprintf(stderr, "The run failed at t = %.6g s: %s: %s\n", failure.time,
@@ -119,7 +124,7 @@ int report(const Outcome& outcome) {
 
 int run(const RunOptions& options) {
   Experiment experiment = loadEdited(options.file, options.edits);
-  const auto directory = std::filesystem::path(options.file).parent_path();
+  const auto directory = experimentFile(options.file).parent_path();
   std::unique_ptr<Simulation> simulation;
   try {
     simulation = buildSimulation(experiment, directory);
@@ -159,7 +164,7 @@ int run(const RunOptions& options) {
 void addRunCommand(CLI::App& app, int& code) {
   auto options = std::make_shared<RunOptions>();
   auto* command = app.add_subcommand("run", "Run an experiment file");
-  command->add_option("FILE", options->file, "Experiment file")->required();
+  command->add_option("FILE", options->file, kExperimentHelp)->required();
   command->add_option("--set", options->edits, "Change a parameter: path=value (repeatable)")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");

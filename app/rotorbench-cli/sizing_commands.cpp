@@ -77,7 +77,7 @@ void addPerformanceCommand(CLI::App& app, int& code) {
   auto options = std::make_shared<SizingOptions>();
   auto* command =
       app.add_subcommand("performance", "Print the performance sheet of an experiment's vehicle");
-  command->add_option("FILE", options->file, "Experiment file")->required();
+  command->add_option("FILE", options->file, kExperimentHelp)->required();
   addEdits(*command, *options);
   command->callback([options, &code] {
     performance(*options);

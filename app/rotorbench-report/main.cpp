@@ -68,7 +68,8 @@ int fly(const Options& options) {
   const auto simulation = buildSimulation(experiment, fs::path(options.file).parent_path());
   while (simulation->advance(kSlice) == SimulationState::Running) {
   }
-  const RunSummary summary{simulation->metrics(), simulation->verdicts(), preflight(experiment)};
+  const RunSummary summary{simulation->metrics(), simulation->verdicts(), preflight(experiment),
+                           simulation->events()};
   auto files = writeRunFiles(options.output, experiment, simulation->runs(), summary);
   for (auto& image : writeReportImages(experiment, simulation->runs(), options.output)) {
     files.push_back(std::move(image));

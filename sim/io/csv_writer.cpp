@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "sim/io/csv.h"
+#include "sim/io/csv_quoting.h"
 
 namespace rotorbench {
 
@@ -13,24 +14,13 @@ namespace {
 constexpr std::size_t kBufferBytes = std::size_t{1} << 18;
 constexpr std::size_t kLongestNumber = 32;
 
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",;\"\n\r\t#") == std::string::npos) return text;
-  std::string quoted(1, '"');
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  quoted += '"';
-  return quoted;
-}
-
 void writeHeader(std::ostream& out, const Recording& recording,
                  const std::vector<std::size_t>& channels) {
   std::string line;
   for (const std::size_t c : channels) {
     const Channel& channel = recording.channels()[c];
     if (!line.empty()) line += ',';
-    line += cell(channel.name + " [" + channel.unit + "]");
+    line += csvCell(channel.name + " [" + channel.unit + "]");
   }
   line += '\n';
   out.write(line.data(), static_cast<std::streamsize>(line.size()));
@@ -62,6 +52,17 @@ class RowBuffer {
 };
 
 }  // namespace
+
+std::string csvCell(const std::string& text) {
+  if (text.find_first_of(",;\"\n\r\t#") == std::string::npos) return text;
+  std::string quoted(1, '"');
+  for (const char c : text) {
+    if (c == '"') quoted += '"';
+    quoted += c;
+  }
+  quoted += '"';
+  return quoted;
+}
 
 void writeCsv(std::ostream& out, const Recording& recording, const CsvSelection& selection) {
   std::vector<std::size_t> channels = selection.channels;

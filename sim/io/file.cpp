@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "sim/core/error.h"
+#include "sim/io/output_error.h"
 
 namespace rotorbench {
 
@@ -18,6 +19,13 @@ namespace {
 
 std::string reason() {
   return std::generic_category().message(errno);
+}
+
+[[noreturn]] void refuseToWrite(const fs::path& file) {
+  const std::string what = "the file cannot be written: " + reason();
+  if (errno == ENOSPC || errno == EDQUOT || errno == EIO || errno == EFBIG)
+    throw OutputError(file.string(), {{{}, what, {}}});
+  refuse(file.string(), what);
 }
 
 /// Closes, and removes the file unless it was put in place.
@@ -34,7 +42,7 @@ class TemporaryFile {
       }
       if (errno != EEXIST) break;
     }
-    refuse(target.string(), "the file cannot be written: " + reason());
+    refuseToWrite(target);
   }
   ~TemporaryFile() {
     std::error_code ignored;
@@ -51,7 +59,7 @@ class TemporaryFile {
     const int code = errno;
     if (descriptor >= 0) ::close(descriptor);
     errno = code;
-    if (!synced) refuse(target.string(), "the file cannot be written: " + reason());
+    if (!synced) refuseToWrite(target);
     std::error_code error;
     const fs::file_status replaced = fs::status(target, error);
     if (fs::exists(replaced)) fs::permissions(name_, replaced.permissions(), error);
@@ -70,8 +78,12 @@ void writeInto(const fs::path& opened, const fs::path& shown,
   errno = 0;
   std::ofstream out(opened, std::ios::binary | std::ios::trunc);
   if (out) write(out);
+  const bool whole = static_cast<bool>(out);
+  // Closing what failed may set errno anew.
+  const int code = errno;
   out.close();
-  if (!out) refuse(shown.string(), "the file cannot be written: " + reason());
+  if (!whole) errno = code;
+  if (!out) refuseToWrite(shown);
 }
 
 }  // namespace

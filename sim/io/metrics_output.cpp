@@ -120,6 +120,11 @@ std::string metricsJson(const std::string& experimentTitle, const RunSummary& su
     document["verdicts"].push_back(
         {{"time", verdict.time}, {"name", verdict.name}, {"what", verdict.what}});
   }
+  document["events"] = Json::array();
+  for (const auto& event : summary.events) {
+    document["events"].push_back(
+        {{"time", event.time}, {"end", event.end}, {"name", event.name}, {"what", event.what}});
+  }
   document["warnings"] = Json::array();
   for (const auto& warning : summary.warnings) {
     document["warnings"].push_back(

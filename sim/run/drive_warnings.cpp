@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "sim/control/pid.h"
 #include "sim/run/drive_build.h"
 #include "sim/run/step_stability.h"
 
@@ -17,6 +18,14 @@ void warnOfDelays(const EscParameters& esc, const std::string& path, double rate
   };
   warn(esc.responseTime, ".responseTime");
   warn(esc.deadTime, ".deadTime");
+}
+
+void checkRate(double rate, double tick, const std::string& path, std::vector<Problem>& problems) {
+  try {
+    ticksBetween(rate, tick, Place(path));
+  } catch (const InputError& error) {
+    problems.insert(problems.end(), error.problems().begin(), error.problems().end());
+  }
 }
 
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,

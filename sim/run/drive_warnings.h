@@ -14,6 +14,10 @@ namespace rotorbench {
 void warnOfDelays(const EscParameters& esc, const std::string& path, double rate,
                   std::vector<Problem>& problems);
 
+/// Finds a controller's rate in Hz, described at `path`, that no whole number of ticks makes: the
+/// run is refused for it.
+void checkRate(double rate, double tick, const std::string& path, std::vector<Problem>& problems);
+
 /// Warns, naming pole, method and largest stable step, where a fixed step cannot be stable. The
 /// experiment holds its settings as "run". The stand has no errors.
 void warnOfUnstableStep(const DriveStand& stand, const ode::SolverSettings& solver, double tick,

@@ -71,6 +71,10 @@ struct PartsOf {
 FlightParts controlledFlight(const Flight& flight, const ControlledInputs& inputs,
                              const BuildContext& context, const ControllerFactory& factory) {
   const Place vehicle = context.place / "vehicle";
+  // No speed of the rotors is the one that gives a thrust.
+  if (!(buildAir(flight.environment).density(flight.start.position.z()) > 0))
+    throw(context.place / "environment" / "air")
+        .error({{"density", "a controller cannot fly where there is no air", "must be above 0"}});
   // The controller flies the vehicle as planned; deviations are what it does not know.
   const ControlModel model = controlModel(flight.vehicle, flight.environment, vehicle);
   const Timing speedTiming{

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "sim/document/flight.h"
@@ -10,6 +11,19 @@
 #include "sim/run/timeline.h"
 
 namespace rotorbench {
+
+namespace {
+
+/// s between two looks at the energy.
+constexpr double kEnergyInterval = 0.01;
+
+DriveWatch::Limits limitsOf(const PlantHandle& plant, bool controlled) {
+  DriveWatch::Limits limits{.rotors = plant.rotors(), .controlled = controlled};
+  for (int i = 0; i < limits.rotors; ++i) limits.current[i] = plant.currentLimit(i);
+  return limits;
+}
+
+}  // namespace
 
 FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& outputs,
                                    FlightParts parts)
@@ -22,13 +36,17 @@ FlightSimulation::FlightSimulation(const Flight& flight, const OutputSettings& o
       changes_(flight, std::move(parts.live)),
       board_(plant_->rotors()),
       watch_(held_, board_),
+      drives_(limitsOf(*plant_, !held_.empty()), board_),
       every_(ticksPerRow(outputs, flight.tick)),
+      everyEnergy_(std::max<std::int64_t>(1, std::llround(kEnergyInterval / flight.tick))),
       ticks_(std::max<std::int64_t>(1, std::llround(flight.duration / flight.tick))) {
   std::vector<Channel> channels{{"time", "s", "Simulated time"}};
   for (auto& c : plant_->channels()) channels.push_back(std::move(c));
   firstOfTasks_ = channels.size();
   for (auto& c : scheduler_.channels()) channels.push_back(std::move(c));
   row_.resize(channels.size());
+  const auto limited = std::ranges::find(channels, "control.limited", &Channel::name);
+  if (limited != channels.end()) limited_ = row_.data() + (limited - channels.begin());
   recording_ = &addRun("Flight", std::move(channels), outputs);
 }
 
@@ -80,15 +98,54 @@ bool FlightSimulation::prepare(const ClockTick& tick) {
   scheduler_.run(tick, board_, row_.data() + firstOfTasks_);
   const double bus = plant_->command(tick, board_.command);
   watch_.see(tick.time);
+  drives_.see(tick, bus, limited_ != nullptr && *limited_ != 0);
+  std::optional<RunFailure> end = endedBy(tick, bus);
+  if (done_ % every_ != 0 && done_ < ticks_ && !end) return true;
+  if (!keep(tick)) return false;
+  if (end) fail(std::move(*end));
+  return state() == SimulationState::Running;
+}
+
+std::optional<RunFailure> FlightSimulation::endedBy(const ClockTick& tick, double bus) {
   // A winding takes up no current at once: the bus at the start of a tick is the one under load.
-  const bool empty = bus < plant_->supply().cutOff;
-  if (done_ % every_ != 0 && done_ < ticks_ && !empty) return true;
+  const double cutOff = plant_->supply().cutOff;
+  if (bus < cutOff) {
+    instants_.push_back({tick.time, tick.time, "cut_off", "battery below its cut-off"});
+    return emptyBattery(tick.time, bus, cutOff);
+  }
+  if (done_ % everyEnergy_ != 0) return {};
+  const std::optional<EnergyBalance> now = plant_->energy();
+  return now ? energy_.see(tick.time, *now) : std::nullopt;
+}
+
+bool FlightSimulation::keep(const ClockTick& tick) {
+  const std::size_t stride = recording_->stride();
   row_[0] = tick.time;
   plant_->row(row_.data() + 1);
-  const bool kept = recording_->append(row_);
-  if (!kept) failFull(tick.time);
-  if (kept && empty) fail(emptyBattery(tick.time, bus, plant_->supply().cutOff));
-  return kept && !empty;
+  if (!recording_->append(row_)) {
+    failFull(tick.time);
+    return false;
+  }
+  if (stride == 1 && recording_->stride() > 1) {
+    instants_.push_back({tick.time, tick.time, "recording_thinned",
+                         "recording thinned out to its limit of memory"});
+  }
+  return true;
+}
+
+std::vector<Verdict> FlightSimulation::verdicts() const {
+  std::vector<Verdict> all = watch_.verdicts();
+  std::ranges::move(drives_.verdicts(), std::back_inserter(all));
+  std::ranges::stable_sort(all, {}, &Verdict::time);
+  return all;
+}
+
+std::vector<RunEvent> FlightSimulation::events() const {
+  std::vector<RunEvent> all = drives_.events();
+  for (const Verdict& v : verdicts()) all.push_back({v.time, v.time, v.name, v.what});
+  all.insert(all.end(), instants_.begin(), instants_.end());
+  std::ranges::stable_sort(all, {}, &RunEvent::time);
+  return all;
 }
 
 MetricTable FlightSimulation::metrics() const {
@@ -98,6 +155,12 @@ MetricTable FlightSimulation::metrics() const {
   figures.metrics.push_back({"end_time", "s", "Simulated time at the end", plant_->time()});
   if (timeline_ != nullptr) addStepFigures(*recording_, held_, timeline_->asked(), figures.metrics);
   addFlightFigures(*recording_, plant_->supply(), figures.metrics);
+  const auto lasting = [&](const char* name, const char* text, double seconds) {
+    if (seconds > 0) figures.metrics.push_back({name, "s", text, seconds});
+  };
+  lasting("saturated_time", "Time with a motor at full throttle", drives_.saturated());
+  lasting("current_limited_time", "Time with a motor at the limit of its current",
+          drives_.currentLimited());
   for (const Verdict& verdict : verdicts()) {
     figures.metrics.push_back(
         {verdict.name, "s", "Time since when: " + verdict.what, verdict.time});

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/control/controller.h"
+#include "sim/run/drive_watch.h"
 #include "sim/run/flight_watch.h"
 #include "sim/run/live_changes.h"
 #include "sim/run/plant_handle.h"
@@ -34,7 +35,8 @@ class FlightSimulation final : public SimulationBase {
   SimulationState advance(std::int64_t ticks) override;
   [[nodiscard]] Progress progress() const override;
   [[nodiscard]] MetricTable metrics() const override;
-  [[nodiscard]] std::vector<Verdict> verdicts() const override { return watch_.verdicts(); }
+  [[nodiscard]] std::vector<Verdict> verdicts() const override;
+  [[nodiscard]] std::vector<RunEvent> events() const override;
   std::optional<Problem> change(const Change& change) override;
   [[nodiscard]] const std::vector<Change>& changes() const override { return changes_.all(); }
 
@@ -44,6 +46,10 @@ class FlightSimulation final : public SimulationBase {
   void endAtEvent();
   /// Everything of a tick but the integration. False if the run has ended.
   bool prepare(const ClockTick& tick);
+  /// Keeps the row of this tick; false if there is no room.
+  bool keep(const ClockTick& tick);
+  /// What may end the flight at this tick: an empty battery, energy out of nothing.
+  [[nodiscard]] std::optional<RunFailure> endedBy(const ClockTick& tick, double bus);
 
   double duration_;
   std::unique_ptr<PlantHandle> plant_;
@@ -53,10 +59,15 @@ class FlightSimulation final : public SimulationBase {
   LiveChanges changes_;
   Board board_;
   FlightWatch watch_;  ///< of board_
-  std::int64_t every_, ticks_, done_ = 0;
+  DriveWatch drives_;  ///< likewise
+  EnergyWatch energy_;
+  std::int64_t every_, everyEnergy_, ticks_, done_ = 0;
   bool endedAtEvent_ = false;
-  std::vector<double> row_;  ///< time, the plant's, the tasks'
+  std::vector<RunEvent> instants_;  ///< what happened once
+  std::vector<double> row_;         ///< time, the plant's, the tasks'
   std::size_t firstOfTasks_ = 0;
+  /// Where a task says that the rotors cannot give what it asks for; null: none does.
+  const double* limited_ = nullptr;
   Recording* recording_ = nullptr;
 };
 

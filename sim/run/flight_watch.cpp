@@ -40,7 +40,7 @@ std::vector<Verdict> FlightWatch::verdicts() const {
     found.push_back({overturned_, "overturned", "tilted beyond 90 degrees"});
   for (const Held& h : held_) {
     if (std::isnan(h.wanted) || time_ - h.near < kLeastAbsence) continue;
-    found.push_back({h.near, h.name + "_lost", "the set-point of " + h.name + " was left"});
+    found.push_back({h.near, h.name + "_lost", "lost control of " + h.name});
   }
   std::ranges::stable_sort(found, {}, &Verdict::time);
   return found;

@@ -6,6 +6,7 @@
 #include "sim/core/number_text.h"
 #include "sim/numerics/scalar_search.h"
 #include "sim/propulsion/drive/bus.h"
+#include "sim/run/vehicle_doubts.h"
 #include "sim/vehicle/multirotor.h"
 
 namespace rotorbench {
@@ -87,14 +88,60 @@ double fullThrottleLift(const MultirotorConstants<N>& c) {
 
 /// How a flight comes to need a hover.
 struct Need {
-  bool flown;   ///< a controller is to hold the vehicle
-  bool starts;  ///< it begins in one
+  bool flown;       ///< a controller is to hold the vehicle
+  bool starts;      ///< it begins in one
+  double duration;  ///< s, of the flight
 };
 
+/// A hover whose battery is empty before the flight ends.
 template <int N>
-void warnOf(const MultirotorConstants<N>& c, const Need& need, std::vector<Problem>& problems) {
-  const std::string missing = missingFor(c, hoverToStartIn(c));
-  if (missing.empty()) return;
+void warnOfEndurance(const MultirotorConstants<N>& c, const Trim& hover, double duration,
+                     std::vector<Problem>& problems) {
+  double power = 0;
+  for (int i = 0; i < N; ++i) {
+    const auto& hub = c.hubs[static_cast<std::size_t>(i)];
+    const double torque = hub.rotor.atRest(hover.speeds[i], c.air.density(0.0)).torque;
+    const double current = hub.motor.steadyCurrent(hover.speeds[i], torque);
+    power += hub.drive().steadyVoltage(hover.speeds[i], current) * current;
+  }
+  const double seconds = c.supply.secondsAt(power, c.supply.charge);
+  if (seconds >= duration) return;
+  problems.push_back({"duration",
+                      three(duration) + " s is longer than the battery holds a hover: about " +
+                          three(seconds) + " s at " + three(power) + " W",
+                      "a shorter flight, or more charge", true});
+}
+
+/// Rotors whose thrust would take less than the least power there is.
+template <int N>
+void warnOfMerit(const MultirotorConstants<N>& c, const Trim& hover,
+                 const VehicleParameters& vehicle, std::vector<Problem>& problems) {
+  const std::vector<RotorAtHub> rotors = rotorsOf(vehicle);
+  const double density = c.air.density(0.0);
+  for (std::size_t i = 0; i < N; ++i) {
+    const double speed = hover.speeds[static_cast<int>(i)];
+    const RotorConstants::Static still = c.hubs[i].rotor.atRest(speed, density);
+    const double merit = figureOfMeritAt(still.thrust, still.torque * speed,
+                                         rotorRadius(rotors[i].rotor.aerodynamics), density);
+    if (!(merit > 1)) continue;
+    problems.push_back({"vehicle.rotors",
+                        "rotor " + std::to_string(i + 1) + " has a figure of merit of " +
+                            three(merit) + " in hover, and no rotor is better than 1",
+                        "thrust, torque and diameter that belong together", true});
+    return;
+  }
+}
+
+template <int N>
+void warnOf(const MultirotorConstants<N>& c, const Need& need, const VehicleParameters& vehicle,
+            std::vector<Problem>& problems) {
+  const Trim hover = hoverToStartIn(c);
+  warnOfMerit(c, hover, vehicle, problems);
+  const std::string missing = missingFor(c, hover);
+  if (missing.empty()) {
+    if (need.flown) warnOfEndurance(c, hover, need.duration, problems);
+    return;
+  }
   if (need.flown) {
     const double lift = fullThrottleLift(c);
     problems.push_back({"vehicle.rotors",
@@ -133,7 +180,7 @@ void warnOfHover(const Flight& flight, std::vector<Problem>& problems) {
     withRotorCount(rotorCount(flight.vehicle.layout), [&](auto count) {
       auto there = buildMultirotor<count>(withoutMaps(flight.vehicle), flight.environment);
       there.air.elevation += flight.start.position.z();
-      warnOf(there, {flown, starts}, problems);
+      warnOf(there, {flown, starts, flight.duration}, flight.vehicle, problems);
     });
   } catch (const InputError& error) {
     // A start in a hover that does not exist, or a vehicle that cannot be built, is refused when

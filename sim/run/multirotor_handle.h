@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -41,6 +42,26 @@ class MultirotorHandle final : public PlantHandle {
   [[nodiscard]] int rotors() const override { return kRotors; }
   [[nodiscard]] double time() const override { return solver_.time(); }
   [[nodiscard]] const Supply& supply() const override { return plant_.constants().supply; }
+  [[nodiscard]] double currentLimit(int rotor) const override {
+    if (!kMotors) return std::numeric_limits<double>::infinity();
+    return plant_.constants().hubs[static_cast<std::size_t>(rotor)].motor.maxCurrent;
+  }
+  [[nodiscard]] std::optional<EnergyBalance> energy() const override {
+    const auto& c = plant_.constants();
+    if (!kMotors || c.air.moving) return {};
+    double body = c.mass * y_.template segment<3>(Layout::kVelocity).squaredNorm() +
+                  forces_.rates.dot(c.inertia * forces_.rates);
+    double magnetic = 0;
+    for (int i = 0; i < kRotors; ++i) {
+      const auto& hub = c.hubs[static_cast<std::size_t>(i)];
+      const double speed = y_[Layout::kSpeed + i], current = y_[Layout::kCurrent + i];
+      body += hub.rotor.inertia * speed * speed;
+      magnetic += hub.motor.inductance * current * current;
+    }
+    const double potential = c.mass * c.gravity * y_[kHeight];
+    return EnergyBalance{body / 2 + magnetic / 2 + potential, body / 2, y_[Layout::kEnergy],
+                         c.mass};
+  }
   [[nodiscard]] RunFailure failure() const override { return solver_.runFailure(); }
   [[nodiscard]] ode::Statistics statistics() const override {
     ode::Statistics s = solver_.statistics();

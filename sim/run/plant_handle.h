@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/control/control_model.h"
@@ -13,6 +14,7 @@
 #include "sim/ode/solver_settings.h"
 #include "sim/ode/status.h"
 #include "sim/propulsion/drive/battery.h"
+#include "sim/run/energy_watch.h"
 #include "sim/signal/task.h"
 #include "sim/vehicle/multirotor_layout.h"
 
@@ -40,6 +42,11 @@ class PlantHandle {
   virtual ode::Status advance(double end) = 0;
 
   [[nodiscard]] virtual const Supply& supply() const = 0;
+  /// The lower limit of motor and speed controller, A; infinite where speeds are prescribed.
+  [[nodiscard]] virtual double currentLimit(int rotor) const = 0;
+  /// As of the last observe(); nothing where something else than the supply gives energy: wind, or
+  /// whoever prescribes speeds.
+  [[nodiscard]] virtual std::optional<EnergyBalance> energy() const = 0;
   [[nodiscard]] virtual ode::Statistics statistics() const = 0;
   [[nodiscard]] virtual RunFailure failure() const = 0;
 };

@@ -33,6 +33,7 @@ struct WarningsOf {
   std::vector<Problem> operator()(const MotorSpeedRun& m) const {
     std::vector<Problem> problems;
     warnOfDelays(m.stand.esc, "stand.esc", m.controller.rate, problems);
+    checkRate(m.controller.rate, m.run.tick, "controller.rate", problems);
     warnOfUnstableStep(m.stand, m.run.solver, m.run.tick, problems);
     return problems;
   }

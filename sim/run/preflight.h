@@ -10,9 +10,9 @@ namespace rotorbench {
 
 struct Experiment;
 
-/// Warnings that need more than the values by themselves: poles beside the step, delays beside
-/// rates, what a hover comes to. None for an experiment with errors, which are
-/// schema::validate()'s. Quick enough to be asked at every edit.
+/// What needs more than the values by themselves: poles beside the step, delays beside rates, what
+/// a hover comes to, and, no mere warning, what the run would be refused for. None for an
+/// experiment with errors, which are schema::validate()'s. Quick enough to be asked at every edit.
 std::vector<Problem> runWarnings(const Experiment& experiment);
 
 /// All warnings: the schema's own and those above.

@@ -1,10 +1,13 @@
 #include "sim/run/run_files.h"
 
+#include <algorithm>
 #include <ostream>
 #include <streambuf>
+#include <utility>
 
 #include "sim/document/experiment_file.h"
 #include "sim/io/csv.h"
+#include "sim/io/csv_quoting.h"
 #include "sim/io/file.h"
 #include "sim/io/metrics_output.h"
 
@@ -81,16 +84,31 @@ class RunColumn : public std::streambuf {
   bool skip_, header_ = true, lineStart_ = true;
 };
 
+/// The first run whose channels most runs have; at least one run. Among equals the one that tells
+/// most over time: of a bench its series and not its curves, of a comparison a method and not the
+/// reference.
+const RunOutput& mostShared(const std::vector<RunOutput>& runs) {
+  return *std::ranges::max_element(runs, {}, [&](const RunOutput& run) {
+    const auto& channels = run.recording->channels();
+    const auto sharers = std::ranges::count_if(
+        runs, [&](const RunOutput& other) { return other.recording->channels() == channels; });
+    const bool overTime = !channels.empty() && channels.front().name == "time";
+    return std::pair(sharers, overTime ? channels.size() : 0);
+  });
+}
+
 }  // namespace
 
 void writeRunsCsv(std::ostream& out, const std::vector<RunOutput>& runs) {
   if (runs.size() == 1) return writeCsv(out, *runs.front().recording);
-  // The runs that share the most channels: the compared methods, not reference and diagrams.
-  const auto& wanted = runs.at(std::min<std::size_t>(1, runs.size() - 1)).recording->channels();
+  const auto& wanted = mostShared(runs).recording->channels();
+  const auto shares = [&](const RunOutput& run) { return run.recording->channels() == wanted; };
+  if (std::ranges::count_if(runs, shares) == 1)
+    return writeCsv(out, *std::ranges::find_if(runs, shares)->recording);
   bool first = true;
   for (const auto& run : runs) {
-    if (run.recording->channels() != wanted) continue;
-    RunColumn column(out, run.name, first);
+    if (!shares(run)) continue;
+    RunColumn column(out, csvCell(run.name), first);
     std::ostream lines(&column);
     writeCsv(lines, *run.recording);
     first = false;

@@ -27,9 +27,9 @@ std::vector<std::filesystem::path> writeRunFiles(const std::filesystem::path& di
                                                  const std::vector<RunOutput>& runs,
                                                  const RunSummary& summary);
 
-/// All runs as one CSV: as writeCsv() where there is one; else the runs of the compared methods
-/// below each other behind a first column `run` (the reference and diagrams have other channels:
-/// writeRunFiles() keeps them).
+/// The runs as one CSV. Those that share their channels with the most others stand below each
+/// other behind a first column `run`: the compared methods. Where each run has its own, as on a
+/// bench, the one of them that is over time. writeRunFiles() keeps all.
 void writeRunsCsv(std::ostream& out, const std::vector<RunOutput>& runs);
 
 }  // namespace rotorbench

@@ -187,9 +187,11 @@ void RunWorker::enterPause(Simulation& simulation, std::unique_lock<std::mutex>&
     lock.unlock();
     MetricTable metrics = simulation.metrics();
     std::vector<Verdict> verdicts = simulation.verdicts();
+    std::vector<RunEvent> events = simulation.events();
     lock.lock();
     status_.metrics = std::move(metrics);
     status_.verdicts = std::move(verdicts);
+    status_.events = std::move(events);
     status_.secondsLeft.reset();
     status_.state = RunState::Paused;
   }
@@ -231,10 +233,12 @@ void RunWorker::finish(Simulation& simulation) {
   if (stopped) simulation.stop();
   MetricTable metrics = simulation.metrics();
   std::vector<Verdict> verdicts = simulation.verdicts();
+  std::vector<RunEvent> events = simulation.events();
   std::unique_lock lock(mutex_);
   if (!orders_.empty()) takeChanges(simulation, lock);  // too late: they are refused
   status_.metrics = std::move(metrics);
   status_.verdicts = std::move(verdicts);
+  status_.events = std::move(events);
   status_.progress = simulation.progress();
   status_.secondsLeft.reset();
   status_.failure = simulation.failure();

@@ -48,6 +48,7 @@ struct RunStatus {
   std::optional<RunFailure> failure;
   MetricTable metrics;            ///< filled at each pause and at the end
   std::vector<Verdict> verdicts;  ///< likewise
+  std::vector<RunEvent> events;   ///< likewise, verdicts among them
   /// All changes of the experiment: laid down, or made while it ran. Never null once it is built.
   std::shared_ptr<const std::vector<Change>> changes;
   std::vector<Problem> refused;  ///< changes that could not be made, and why

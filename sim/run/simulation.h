@@ -60,6 +60,8 @@ class Simulation {
   [[nodiscard]] virtual MetricTable metrics() const = 0;
   /// What the run came to that nobody asked for. From the driving thread, as metrics().
   [[nodiscard]] virtual std::vector<Verdict> verdicts() const { return {}; }
+  /// What happened on the way, verdicts among it, in the order of time. From the driving thread.
+  [[nodiscard]] virtual std::vector<RunEvent> events() const { return {}; }
   [[nodiscard]] virtual double tickSeconds() const = 0;
 
   /// Changes the experiment while it goes on, between two ticks: now, or when the change's time has

@@ -5,6 +5,7 @@
 
 #include "sim/environment/standard_atmosphere.h"
 #include "sim/numerics/scalar_search.h"
+#include "sim/run/vehicle_doubts.h"
 #include "sim/sizing/data_sheet_figures.h"
 #include "sim/sizing/discharge.h"
 #include "sim/sizing/performance.h"
@@ -15,6 +16,7 @@ namespace {
 
 /// What all groups of figures are read from.
 struct Flown {
+  const VehicleParameters& vehicle;
   const SteadyFlight& flight;
   const PerformanceSettings& settings;
   FullThrottle full;
@@ -258,11 +260,8 @@ void addWarnings(FigureSheet& sheet, const Flown& f) {
                              Sentence::number(f.full.thrust / f.flight.weight()) +
                              " of the weight; little is left for control and gusts.");
   }
-  if (!f.resistance.described()) {
-    sheet.warnings.push_back("The resistance of the air is not described: there is " +
-                             f.resistance.missing() +
-                             ", so speeds, tilt, range and power in flight are too good.");
-  }
+  for (const Problem& doubt : vehicleDoubts(f.vehicle))
+    sheet.warnings.emplace_back(doubt.message());
   const double merit = f.hover ? sheet.at("efficiency.propeller").value : kNoFigure;
   if (merit > 1) {
     sheet.warnings.push_back(
@@ -277,7 +276,8 @@ FigureSheet performanceSheet(const VehicleParameters& vehicle,
                              const EnvironmentParameters& environment,
                              const PerformanceSettings& settings) {
   const SteadyFlight flight(vehicle, environment);
-  Flown f{flight, settings, flight.fullThrottle(), flight.hover(), airResistanceOf(vehicle)};
+  Flown f{vehicle, flight, settings, flight.fullThrottle(), flight.hover(),
+          airResistanceOf(vehicle)};
   if (f.hover) {
     f.demand = flight.demand(*f.hover);
     const Supply& supply = flight.supply();

@@ -58,7 +58,8 @@ MassProperties withPointMass(const MassProperties& body, double mass,
                              const Eigen::Vector3d& position);
 
 /// Why the properties cannot belong to a real body: mass not positive, inertia not positive
-/// definite, or one principal moment above the sum of the others. `path` leads the problems' paths.
+/// definite, or one principal moment above the sum of the others: a warning up to 2 %, which
+/// rounding makes of a flat body. `path` leads the problems' paths.
 std::vector<Problem> massProblems(const MassProperties& properties, const std::string& path);
 
 template <>

@@ -247,6 +247,13 @@ class Multirotor {
   template <class S>
   void limitVoltages(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
                      Electrical<S>& at) const;
+  /// A supply whose current takes all its voltage.
+  template <class S>
+  void collapse(const S& inner, Electrical<S>& at) const;
+  /// limitVoltages() where the supply has less than half its voltage left or cannot give the power.
+  template <class S>
+  void weakBus(const LanesOf<S>& current, const LanesOf<S>& back, const S& inner,
+               Electrical<S>& at) const;
   template <class S>
   using LoadOf = RotorLoad<LanesOf<S>, std::array<LanesOf<S>, 3>>;
   /// Rotor by rotor, where one at least is not lumped.

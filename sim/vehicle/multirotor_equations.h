@@ -54,11 +54,15 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   at.duty = lanes.duty.duty(commanded, follows);
   at.supplyCurrent = Lanes(at.duty * current).sum();
   at.bus = inner - constants_.supply.resistance * at.supplyCurrent;
-  // What the motors leave of the supply is all that the avionics can draw from: a constant power.
-  if (constants_.avionicsPower > 0) {
-    const S avionics(constants_.avionicsPower);
-    at.bus = busVoltage<S>(at.bus, avionics, constants_.supply.resistance);
-    at.supplyCurrent = at.supplyCurrent + avionics / at.bus;
+  if (valueOf(at.bus) < 0) [[unlikely]]
+    collapse(inner, at);
+  // What the motors leave of the supply is all that the avionics can draw from: a constant power,
+  // or where there is less the most there is.
+  if (constants_.avionicsPower > 0 && valueOf(at.bus) > 0) {
+    const S left = at.bus, avionics(constants_.avionicsPower);
+    const double r = constants_.supply.resistance;
+    at.bus = busVoltage<S>(left, avionics, r);
+    at.supplyCurrent = at.supplyCurrent + (r > 0 ? S((left - at.bus) / r) : S(avionics / at.bus));
   }
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = at.duty * at.bus - lanes.escResistance * current;
@@ -69,6 +73,35 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
   const Lanes excess = at.voltage - back;
   if (someLimit(excess)) limitVoltages(current, back, inner, at);
   return at;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::collapse(const S& inner, Electrical<S>& at) const {
+  const BusPoint<S> none = emptyBus(inner, constants_.supply.resistance);
+  at.bus = none.voltage;
+  at.supplyCurrent = none.current;
+}
+
+template <int N, RotorDrive Drive>
+template <class S>
+[[gnu::noinline]] void Multirotor<N, Drive>::weakBus(const LanesOf<S>& current,
+                                                     const LanesOf<S>& back, const S& inner,
+                                                     Electrical<S>& at) const {
+  const LanesOf<S> asked = at.duty;
+  const auto drawn = [&](const S& bus) {
+    S sum(0.0);
+    for (int i = 0; i < N; ++i) {
+      const auto& hub = constants_.hubs[static_cast<std::size_t>(i)];
+      at.duty[i] = hub.esc.shareOf(hub.motor, S(asked[i]), S(current[i]), S(back[i]), bus);
+      sum += at.duty[i] * current[i];
+    }
+    return sum;
+  };
+  const BusPoint<S> point = loadedBus<S>(inner, constants_.supply.resistance, drawn);
+  at.bus = point.voltage;
+  at.supplyCurrent = point.current;
+  at.voltage = at.duty * at.bus - constants_.lanes.escResistance * current;
 }
 
 template <int N, RotorDrive Drive>
@@ -115,6 +148,8 @@ template <class S>
     power += converterPower(S(at.voltage[i]), hub.esc.resistance, S(current[i])) +
              conversionLoss(hub.esc, one, S(current[i]), bus);
   }
+  if (!isStrongBus(valueOf(bus), valueOf(inner), valueOf(power), r)) [[unlikely]]
+    return weakBus<S>(current, back, inner, at);
   at.bus = busVoltage<S>(inner, power, r);
   at.supplyCurrent = power / at.bus;
 }
@@ -132,7 +167,10 @@ template <class S>
   }
   const S power = converterPower<Lanes>(at.voltage, constants_.lanes.escResistance, current).sum() +
                   S(constants_.avionicsPower);
-  at.bus = busVoltage<S>(inner, power, constants_.supply.resistance);
+  const double resistance = constants_.supply.resistance;
+  if (!isStrongBus(valueOf(at.bus), valueOf(inner), valueOf(power), resistance)) [[unlikely]]
+    return weakBus<S>(current, back, inner, at);
+  at.bus = busVoltage<S>(inner, power, resistance);
   at.supplyCurrent = power / at.bus;
 }
 

@@ -225,7 +225,16 @@ FlightPowers Multirotor<N, Drive>::powers(double t, const State& y) const {
   const double i = forces.supplyCurrent;
   p.source = openCircuit(y) * i;
   p.supplyLoss = constants_.supply.resistance * i * i + y[L::kPolarisation] * i;
-  p.avionics = Drive == RotorDrive::Motors ? constants_.avionicsPower : 0;
+  if (Drive == RotorDrive::Motors && constants_.avionicsPower > 0) {
+    // All of it, or what a supply too weak for it still gives.
+    double delivered = forces.busVoltage * i;
+    for (int k = 0; k < N; ++k) {
+      const auto at = static_cast<std::size_t>(k);
+      const double current = y[L::kCurrent + k];
+      delivered -= converterPower(forces.voltage[at], constants_.hubs[at].esc.resistance, current);
+    }
+    p.avionics = std::min(constants_.avionicsPower, delivered);
+  }
   if (constants_.lossy) p.escLoss = forces.busVoltage * i - p.avionics;
   for (int k = 0; k < N; ++k) {
     const auto& hub = constants_.hubs[static_cast<std::size_t>(k)];
@@ -301,6 +310,11 @@ typename Multirotor<N, Drive>::State Multirotor<N, Drive>::initialState(
 
 template <int N, RotorDrive Drive>
 typename Multirotor<N, Drive>::Command Multirotor<N, Drive>::hoverSpeeds() const {
+  if (!(constants_.air.density(0.0) > 0) && constants_.gravity > 0) {
+    throw InputError({}, {{{},
+                           "cannot hover where there is no air",
+                           "an air density above 0, or rotors that start stopped or at a speed"}});
+  }
   const Command squares = detail::hoverSquares(constants_);
   if (!(squares.minCoeff() >= 0) || !squares.allFinite()) {
     throw InputError({}, {{"layout", "the rotors cannot hold the vehicle level",

@@ -92,6 +92,7 @@ std::vector<RotorAtHub> rotorsOf(const VehicleParameters& vehicle, bool asPlanne
 MassProperties massOf(const VehicleParameters& vehicle, bool asPlanned) {
   MassProperties sum = withoutCheck(vehicle, asPlanned);
   auto problems = massProblems(sum, "mass");
+  std::erase_if(problems, [](const Problem& p) { return p.warning; });
   if (!problems.empty()) throw InputError({}, std::move(problems));
   return sum;
 }
@@ -198,7 +199,12 @@ void Describe<VehicleParameters>::fields(schema::Builder<VehicleParameters>& b) 
   });
   b.check([](const P& p, std::vector<Problem>& problems) {
     auto found = countProblems(p);
-    if (found.empty()) found = massProblems(withoutCheck(p, false), "mass");
+    if (found.empty()) {
+      found = massProblems(withoutCheck(p, false), "mass");
+      // The tensor that is given has said it already.
+      if (std::holds_alternative<DirectMass>(p.mass))
+        std::erase_if(found, [](const Problem& problem) { return problem.warning; });
+    }
     problems.insert(problems.end(), found.begin(), found.end());
   });
 }

@@ -244,6 +244,70 @@ class TestCli : public QObject {
     QVERIFY(several.out.contains("\nRK5(4)7S,"));
   }
 
+  /// A bench keeps its series over time, not one of its curves.
+  void benchAsCsv() {
+    const Outcome bench = cli({"run", shipped("motor-bench-e305"), "--format", "csv", "--set",
+                               "setup.run.duration=0.05"});
+    QCOMPARE(bench.code, 0);
+    QVERIFY2(bench.out.startsWith("time [s],"), bench.out.left(80).constData());
+    const Outcome stand = cli({"run", shipped("thrust-stand-x2216"), "--format", "csv"});
+    QVERIFY2(stand.out.startsWith("time [s],"), stand.out.left(80).constData());
+  }
+
+  /// What list prints is what the other commands take.
+  void namesOfShippedExperiments() {
+    const QString name = "f450-hover-and-steps";
+    const QStringList brief{"--set", "setup.duration=0.1", "--format", "json"};
+    const Outcome byName = cli(QStringList{"run", name} + brief);
+    QCOMPARE(byName.code, 0);
+    QCOMPARE(byName.out, cli(QStringList{"run", shipped(name)} + brief).out);
+    QCOMPARE(cli({"set", name, "title=Mine"}).out, cli({"set", shipped(name), "title=Mine"}).out);
+    QCOMPARE(cli({"performance", name}).out, cli({"performance", shipped(name)}).out);
+    const Outcome wrong = cli({"run", "f450-hover-and-stepz"});
+    QCOMPARE(wrong.code, 2);
+    QVERIFY2(wrong.err.contains("nearest is f450-hover-and-steps"), wrong.err.constData());
+  }
+
+  /// A disk that takes no more, as a file and as the standard output: the input is right, so 1.
+  void fullDisk() {
+    const QString full = "/dev/full";
+    if (!QFile::exists(full)) QSKIP("no /dev/full here");
+    const Outcome set = cli({"set", shipped("spring-bar-birotor"), "title=x", "-o", full});
+    QCOMPARE(set.code, 1);
+    QVERIFY2(set.err.contains("cannot be written"), set.err.constData());
+    QTemporaryDir directory;
+    QVERIFY(QFile::link(full, directory.filePath("metrics.json")));
+    const Outcome run = cli({"run", shipped("spring-bar-birotor"), "--set", "setup.duration=1",
+                             "--output", directory.path()});
+    QCOMPARE(run.code, 1);
+    QVERIFY2(run.err.contains("cannot be written"), run.err.constData());
+    for (const QStringList& arguments :
+         {QStringList{"schema"}, QStringList{"list"}, QStringList{"performance", "battery-flight"},
+          QStringList{"run", "spring-bar-birotor", "--format", "csv"}}) {
+      QProcess process;
+      process.setStandardOutputFile(full);
+      process.start(ROTORBENCH_CLI, arguments);
+      QVERIFY(process.waitForFinished(60000));
+      QVERIFY2(process.exitCode() == 1, qPrintable(arguments.join(' ')));
+    }
+    // A folder that is not there is the input's fault.
+    QCOMPARE(cli({"set", shipped("spring-bar-birotor"), "title=x", "-o", "/no/such/x.json"}).code,
+             2);
+  }
+
+  /// No air, and rates that make no whole ticks: refused in one sentence; a file can be changed all
+  /// the same.
+  void refusedRuns() {
+    const QString file = shipped("f450-hover-and-steps");
+    const Outcome air = cli({"run", file, "--set", "setup.environment.air.density=0"});
+    QCOMPARE(air.code, 2);
+    QVERIFY2(air.err.contains("where there is no air"), air.err.constData());
+    const Outcome rate = cli({"run", file, "--set", "setup.control.motors.rate=300"});
+    QCOMPARE(rate.code, 2);
+    QVERIFY2(rate.err.contains("does not fit the tick"), rate.err.constData());
+    QCOMPARE(cli({"set", file, "setup.control.motors.rate=300"}).code, 0);
+  }
+
   void setChangesTheRun() {
     const QString file = shipped("spring-bar-birotor");
     const Outcome outcome = cli({"run", file, "--set", "setup.duration=2 s", "--set",

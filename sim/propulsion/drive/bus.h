@@ -2,11 +2,15 @@
 //   supply     b = E - R_0 i_bus,   E = OCV - v_rc: what stands behind its resistance
 //   converters b i_bus = P = sum (v + R_esc i) i: each keeps the power
 //   so         b^2 - E b + R_0 P = 0, whose upper root is the stable one
+// Converters that keep their duties d instead take i_bus = sum d i whatever b is, and can draw the
+// bus below E/2 and down to 0, where the diodes of their bridges carry what the supply does not.
 // battery.h has the supply, esc.h the converter with its source.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
+
+#include "sim/core/scalar.h"
 
 namespace rotorbench {
 
@@ -30,6 +34,42 @@ template <class S>
   using std::max;
   using std::sqrt;
   return S(0.5 * (inner + sqrt(max(busReserve(inner, power, resistance), S(0.0)))));
+}
+
+/// Whether the bus of converters that draw a power in W, `bus` V with all duties kept, is on the
+/// upper root.
+[[nodiscard]] inline bool isStrongBus(double bus, double inner, double power, double resistance) {
+  return inner > 0 && 2 * bus >= inner && busReserve(inner, power, resistance) >= 0;
+}
+
+/// Voltage in V and current in A of the supply.
+template <class S>
+struct BusPoint {
+  S voltage, current;
+};
+
+/// The supply at 0 V.
+template <class S>
+[[nodiscard]] BusPoint<S> emptyBus(const S& inner, double resistance) {
+  const bool flows = resistance > 0 && valueOf(inner) > 0;
+  return {S(0.0), flows ? S(inner / resistance) : S(0.0)};
+}
+
+/// The highest voltage of a bus whose converters take drawn(b) A at b V, b above 0, and less of it
+/// the higher b is; drawn() is called last with what holds.
+template <class S, class Drawn>
+[[nodiscard]] BusPoint<S> loadedBus(const S& inner, double resistance, const Drawn& drawn) {
+  constexpr int kMostRounds = 60;
+  constexpr double kClose = 1e-13;
+  S bus = inner;
+  for (int round = 0; round < kMostRounds && valueOf(bus) > 0; ++round) {
+    const S current = drawn(bus), next = S(inner - resistance * current);
+    const double change = std::abs(valueOf(next) - valueOf(bus));
+    bus = next;
+    if (valueOf(bus) > 0 && (change <= kClose * valueOf(inner) || round + 1 == kMostRounds))
+      return {bus, current};
+  }
+  return emptyBus(inner, resistance);
 }
 
 }  // namespace rotorbench

@@ -137,6 +137,10 @@ class DriveTrain {
       at.motorVoltage = esc_.voltage(motor_, at.duty, at.current, free, back);
     }
     const S power = converterPower(at.motorVoltage, esc_.resistance, at.current);
+    const S kept = S(inner - supply_.resistance * at.duty * at.current);
+    if (!isStrongBus(valueOf(kept), valueOf(inner), valueOf(power), supply_.resistance) &&
+        weakBus(inner, back, kept, power, at)) [[unlikely]]
+      return at;
     at.busVoltage = busVoltage(inner, power, supply_.resistance);
     at.busCurrent = S(power / at.busVoltage);
     return at;
@@ -197,6 +201,37 @@ class DriveTrain {
   }
   /// The current in A that a duty holds at a speed, inductance or not.
   [[nodiscard]] double heldCurrent(const State& y, double speed) const;
+  /// The supply has less than half its voltage left, `kept` V with the duty kept, or cannot give
+  /// the power. False where it has more all the same: a limit holds a current without inductance.
+  template <class S>
+  bool weakBus(const S& inner, const S& back, const S& kept, const S& power,
+               DriveInstant<S>& at) const {
+    if (quasiStatic_) {
+      const S asked = S(at.duty * at.current * kept);
+      if (std::abs(valueOf(power) - valueOf(asked)) > 1e-9 * std::abs(valueOf(power))) return false;
+      at.busVoltage = kept;
+      at.busCurrent = S(at.duty * at.current);
+      if (valueOf(kept) < 0) {
+        // A rotor turned against its duty brakes through the diodes.
+        const BusPoint<S> none = emptyBus(inner, supply_.resistance);
+        at.busVoltage = none.voltage;
+        at.busCurrent = none.current;
+        at.current = S(-back / (motor_.resistance + esc_.resistance));
+        at.motorVoltage = S(-esc_.resistance * at.current);
+      }
+      return true;
+    }
+    const S duty = at.duty;
+    const auto drawn = [&](const S& bus) {
+      at.duty = esc_.shareOf(motor_, duty, at.current, back, bus);
+      return S(at.duty * at.current);
+    };
+    const BusPoint<S> point = loadedBus<S>(inner, supply_.resistance, drawn);
+    at.busVoltage = point.voltage;
+    at.busCurrent = point.current;
+    at.motorVoltage = S(at.duty * at.busVoltage - esc_.resistance * at.current);
+    return true;
+  }
   /// The current of a winding without inductance, the sag of the supply in it, at a back-EMF.
   template <class S>
   [[nodiscard]] S quasiStaticCurrent(const S& duty, const S& inner, const S& back) const {

@@ -99,7 +99,18 @@ struct EscConstants : DutyModel<double> {
     const S bottom = max(S(way * back), S(-way * resistance * current));
     return S(way * max(S(min(S(way * free), S(way * back + band))), bottom));
   }
-  /// The same for a winding without inductance: the current in A that flows at once, of the one
+  /// The share of a bus of `bus` V above 0 that this takes: the duty, or what of it the limits
+  /// leave; at most all of the bus.
+  template <class S>
+  [[nodiscard]] S shareOf(const MotorConstants& motor, const S& duty, const S& current,
+                          const S& back, const S& bus) const {
+    using std::max;
+    using std::min;
+    const S drop = S(resistance * current);
+    const S asked = S(voltage(motor, duty, current, S(duty * bus - drop), back) + drop);
+    return S(min(S(max(S(asked / bus), S(least))), S(most)));
+  }
+  /// voltage() for a winding without inductance: the current in A that flows at once, of the one
   /// that would without limits.
   template <class S>
   [[nodiscard]] S quasiStaticCurrent(const MotorConstants& motor, const S& duty, const S& free,

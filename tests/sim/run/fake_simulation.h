@@ -22,6 +22,7 @@ struct FakePlan {
   std::int64_t throwAt = std::numeric_limits<std::int64_t>::max();
   std::size_t runs = 1;
   std::atomic<std::int64_t>* longestSlice = nullptr;  ///< microseconds
+  std::vector<RunEvent> events{};
 };
 
 class FakeSimulation : public Simulation {
@@ -59,6 +60,7 @@ class FakeSimulation : public Simulation {
     }
     return table;
   }
+  [[nodiscard]] std::vector<RunEvent> events() const override { return plan_.events; }
   [[nodiscard]] double tickSeconds() const override { return plan_.tickSeconds; }
   /// The value of "weight" is what a tick counts from then on; anything else is refused.
   std::optional<Problem> change(const Change& change) override {
