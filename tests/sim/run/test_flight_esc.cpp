@@ -8,6 +8,7 @@
 
 #include "sim/core/schema_tree.h"
 #include "sim/document/controlled_inputs.h"
+#include "sim/document/drive_stand.h"
 #include "sim/document/flight.h"
 #include "sim/io/json_schema.h"
 #include "sim/run/preflight.h"
