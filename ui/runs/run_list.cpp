@@ -30,6 +30,21 @@ QStringList verdictTexts(const RunStatus& status) {
 
 namespace {
 
+/// What else happened, as far as it fits a tool tip; verdicts are told apart.
+QStringList eventTexts(const RunStatus& status) {
+  constexpr qsizetype kMost = 6;
+  QStringList texts;
+  for (const RunEvent& event : status.events) {
+    if (std::ranges::find(status.verdicts, event.name, &Verdict::name) != status.verdicts.end())
+      continue;
+    texts << RunList::tr("%1 at %2 s")
+                 .arg(QString::fromStdString(event.what), QLocale().toString(event.time, 'g', 4));
+  }
+  if (texts.size() <= kMost) return texts;
+  const auto more = static_cast<int>(texts.size() - kMost + 1);
+  return texts.first(kMost - 1) << RunList::tr("and %n more", nullptr, more);
+}
+
 QString stateDetail(const RunRecord& record) {
   const QLocale locale;
   if (record.measured) {
@@ -205,7 +220,7 @@ QVariant RunList::data(const QModelIndex& index, int role) const {
       QStringList lines{
           record.name,
           tr("Started %1").arg(QLocale().toString(record.started, QLocale::ShortFormat)), detail};
-      lines << verdictTexts(record.status).mid(1);
+      lines << verdictTexts(record.status).mid(1) << eventTexts(record.status);
       if (record.status.failure) lines << QString::fromStdString(record.status.failure->message);
       if (!record.note.isEmpty()) lines << record.note;
       return lines.join('\n');

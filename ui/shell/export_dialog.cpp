@@ -214,10 +214,10 @@ void ExportDialog::exportRun(int id) {
   message_->setText(tr("Writing…"));
   export_->setEnabled(false);
   const std::filesystem::path folder = QFileInfo(target_->text()).absoluteFilePath().toStdString();
-  writing_.setFuture(
-      QtConcurrent::run([folder, experiment = record->experiment, runs = record->status.outputs,
-                         summary = RunSummary{record->status.metrics, record->status.verdicts,
-                                              preflight(record->experiment)}]() -> QString {
+  writing_.setFuture(QtConcurrent::run(
+      [folder, experiment = record->experiment, runs = record->status.outputs,
+       summary = RunSummary{record->status.metrics, record->status.verdicts,
+                            preflight(record->experiment), record->status.events}]() -> QString {
         try {
           prepareRunDirectory(folder);
           writeRunFiles(folder, experiment, runs, summary);

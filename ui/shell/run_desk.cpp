@@ -161,7 +161,10 @@ void RunDesk::onStateChanged(RunState state) {
   const int id = controller_.currentRun();
   const RunRecord* record = runs_.find(id);
   if (record == nullptr) return;
-  if (id == shown_ && (state == RunState::Paused || !isActive(state))) showMetrics(id);
+  if (state == RunState::Paused || !isActive(state)) {
+    if (id == shown_) showMetrics(id);
+    showMarks(*record);
+  }
   if (!isActive(state)) noteEnd(*record);
 }
 
@@ -220,10 +223,19 @@ void RunDesk::showRun(int id) {
   bench_.scene().setModel(vehicleOf(record->experiment));
   if (!sceneBound_) return;
   bench_.scene().setRecording(record->status.outputs.front().recording);
-  std::vector<double> times;
-  for (const RunMark& mark : marksOf(*record)) times.push_back(mark.time);
-  bench_.scene().playback().setMarks(std::move(times));
+  showMarks(*record);
   if (isActive(record->status.state)) bench_.scene().followLive(true);
+}
+
+// Each output has the marks of its run when the charts' runs are set; later ones come here.
+void RunDesk::showMarks(const RunRecord& record) {
+  const std::vector<RunMark> marks = marksOf(record);
+  for (std::size_t i = 0; i < record.status.outputs.size(); ++i)
+    bench_.runSet().setMarks(chartRunId(record.id, i), marks);
+  if (record.id != shown_) return;
+  std::vector<double> times;
+  for (const RunMark& mark : marks) times.push_back(mark.time);
+  bench_.scene().playback().setMarks(std::move(times));
 }
 
 void RunDesk::showMetrics(int id) {

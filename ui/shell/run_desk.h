@@ -49,6 +49,7 @@ class RunDesk : public QObject {
   void reject(const RunRecord& record);
   [[nodiscard]] std::vector<Problem> doubts() const;
   void showRun(int id);
+  void showMarks(const RunRecord& record);
   void showMetrics(int id);
   void fillRunSet();
   void drawDocument();

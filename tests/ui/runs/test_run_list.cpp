@@ -15,6 +15,7 @@
 #include "ui/runs/metrics_panel.h"
 #include "ui/runs/run_controller.h"
 #include "ui/runs/run_delegate.h"
+#include "ui/runs/run_marks.h"
 #include "ui/runs/runs_panel.h"
 
 using namespace rotorbench;
@@ -55,6 +56,7 @@ class TestRunList : public QObject {
   void panelHidesRenamesDeletes();
   void comparesTwoRuns();
   void copiesMetrics();
+  void eventsAreMarks();
 };
 
 void TestRunList::recordFollowsTheRun() {
@@ -68,6 +70,25 @@ void TestRunList::recordFollowsTheRun() {
   QVERIFY(record.status.wallSeconds > 0);
   QVERIFY(runDetail(record).startsWith("Finished, 1 s in "));
   QVERIFY(states.count() >= 2);
+}
+
+/// What happens on the way is told by the tool tip and marked in charts, with the changes; a limit
+/// that acts is no verdict.
+void TestRunList::eventsAreMarks() {
+  RunList runs;
+  FakePlan plan;
+  plan.events = {{0.2, 0.3, "motors_saturated", "motor 2 saturated"},
+                 {0.7, 0.7, "recording_thinned", "recording thinned out to its limit of memory"}};
+  RunController controller(runs, fake(plan));
+  const RunRecord& record = *runs.find(finishedRun(controller, titled("Hover")));
+  const std::vector<RunMark> marks = marksOf(record);
+  QCOMPARE(marks.size(), std::size_t{2});
+  QCOMPARE(marks[0].time, 0.2);
+  QCOMPARE(marks[0].text, QString("motor 2 saturated"));
+  QVERIFY(runDetail(record).startsWith("Finished, "));
+  const QString tip = runs.index(0).data(Qt::ToolTipRole).toString();
+  QVERIFY2(tip.contains("\nmotor 2 saturated at 0.2 s\n"), qPrintable(tip));
+  QVERIFY2(tip.contains("thinned out to its limit of memory at 0.7 s"), qPrintable(tip));
 }
 
 void TestRunList::buildErrorBecomesAFailedRecord() {
