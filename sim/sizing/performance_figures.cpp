@@ -276,8 +276,8 @@ FigureSheet performanceSheet(const VehicleParameters& vehicle,
                              const EnvironmentParameters& environment,
                              const PerformanceSettings& settings) {
   const SteadyFlight flight(vehicle, environment);
-  Flown f{vehicle, flight, settings, flight.fullThrottle(), flight.hover(),
-          airResistanceOf(vehicle)};
+  Flown f{
+      vehicle, flight, settings, flight.fullThrottle(), flight.hover(), airResistanceOf(vehicle)};
   if (f.hover) {
     f.demand = flight.demand(*f.hover);
     const Supply& supply = flight.supply();

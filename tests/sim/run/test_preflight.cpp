@@ -147,16 +147,19 @@ class TestPreflight : public QObject {
     flight.vehicle.drag = {};
     inflow = {};
     const Problem none = at(runWarnings(e), "setup.vehicle.drag");
-    QVERIFY2(none.warning && says(none, "is not described"), none.message().c_str());
+    QVERIFY2(none.warning && says(none, "the resistance of the air is not described"),
+             none.message().c_str());
     const FigureSheet sheet = performanceSheet(flight.vehicle, flight.environment);
     const auto told = [&](const FigureSheet& s) {
       return std::ranges::any_of(s.warnings, [](const Sentence& w) {
-        return w.text().find("drag: is not described") != std::string::npos;
+        return w.text().find("drag: the resistance of the air is not described") !=
+               std::string::npos;
       });
     };
     QVERIFY(told(sheet));
     inflow.drag = 1e-5;
-    QVERIFY(says(at(runWarnings(e), "setup.vehicle.drag"), "nothing limits the climb"));
+    QVERIFY(
+        says(at(runWarnings(e), "setup.vehicle.drag"), "no loss of the rotors' thrust in climb"));
     inflow.inflow = 1e-4;
     QVERIFY(at(runWarnings(e), "setup.vehicle.drag").what.empty());
     QVERIFY(!told(performanceSheet(flight.vehicle, flight.environment)));
