@@ -12,6 +12,7 @@
 #include "sim/propulsion/rotor/lumped_rotor.h"
 #include "sim/validation/cases.h"
 #include "sim/validation/drive_fit.h"
+#include "sim/validation/statistics.h"
 #include "sim/validation/text.h"
 #include "sim/validation/uiuc_data.h"
 
@@ -111,10 +112,6 @@ DriveConstants startOf(ShaftLoad load) {
 struct Errors {
   double speed = 0, current = 0, thrust = 0;  // %, greatest
 };
-
-double apart(double model, double measured) {
-  return 100 * (model / measured - 1);
-}
 
 Errors compare(const std::vector<LoggedPoint>& points, const DriveConstants& constants,
                Table* table, std::vector<SvgSeries>* lines) {

@@ -9,6 +9,11 @@
 
 namespace rotorbench::validation {
 
+/// What a model gives more than was measured, %.
+inline double apart(double model, double measured) {
+  return 100 * (model / measured - 1);
+}
+
 /// NaN for none.
 inline double mean(const std::vector<double>& values) {
   double sum = 0;

@@ -10,6 +10,7 @@
 #include "sim/numerics/scalar_search.h"
 #include "sim/run/drive_build.h"
 #include "sim/validation/cases.h"
+#include "sim/validation/statistics.h"
 #include "sim/validation/text.h"
 
 namespace rotorbench::validation {
@@ -63,10 +64,6 @@ class Stand {
   }
   DriveStand stand_;
 };
-
-double apart(double model, double measured) {
-  return 100 * (model / measured - 1);
-}
 
 struct Sweep {
   Table table{"Over the throttle, at the logged voltage and speed",

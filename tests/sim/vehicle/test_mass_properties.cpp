@@ -82,8 +82,8 @@ void TestMassProperties::impossibleInertiaIsRefused_data() {
   QTest::addColumn<bool>("possible");
   QTest::addRow("F450") << 0.0252 << 0.0 << true;
   QTest::addRow("flat plate, the limit") << 0.038 << 0.0 << true;
-  QTest::addRow("above the sum of the others by 1.9 %: rounded") << 0.03872 << 0.0 << true;
-  QTest::addRow("above the sum of the others by 2.1 %") << 0.0388 << 0.0 << false;
+  QTest::addRow("above the sum of the others by 1.9 %%: rounded") << 0.03872 << 0.0 << true;
+  QTest::addRow("above the sum of the others by 2.1 %%") << 0.0388 << 0.0 << false;
   QTest::addRow("not positive definite") << 0.0252 << 0.02 << false;
   QTest::addRow("products of inertia break the triangle") << 0.0252 << 0.0131 << false;
 }
