@@ -2,8 +2,8 @@
 // tick on and not before; what cannot change is refused in a sentence; and the experiment with its
 // changes repeats the run bit for bit.
 #include <QTest>
+#include <bit>
 #include <cmath>
-#include <cstring>
 #include <random>
 #include <thread>
 
@@ -18,8 +18,6 @@ using namespace rotorbench;
 using namespace rotorbench::test;
 
 namespace {
-
-constexpr double kTick = 1e-3;
 
 /// A second of a flight in which every limit is met: a step of all set-points that the rotors
 /// cannot follow.
@@ -49,8 +47,10 @@ std::size_t firstDifference(const Recording& a, const Recording& b) {
   if (a.channels().size() != b.channels().size() || a.rows() != b.rows()) return 0;
   for (std::size_t row = 0; row < a.rows(); ++row) {
     for (std::size_t c = 0; c < a.channels().size(); ++c) {
-      const double x = a.value(c, row), y = b.value(c, row);
-      if (std::memcmp(&x, &y, sizeof x) != 0) return row;
+      const auto bits = [c, row](const Recording& r) {
+        return std::bit_cast<std::uint64_t>(r.value(c, row));
+      };
+      if (bits(a) != bits(b)) return row;
     }
   }
   return a.rows();

@@ -1,6 +1,9 @@
 // A flight changed while it goes on, as a person does it in the window: by the form, by keys of the
 // 3D view, in a pause; what acts is marked, what does not is said, and the run's experiment repeats
 // it.
+#include <QCheckBox>
+#include <QStatusBar>
+
 #include "sim/document/changes.h"
 #include "sim/document/experiment_file.h"
 #include "sim/document/flight.h"
