@@ -130,8 +130,7 @@ bool hasSetPoints(const Flight& flight) {
 std::vector<Change> takenByHand(HandAxis axis, double value) {
   const schema::Field& field = *schema::typeOf<HandSetPoints>().field(keyOf(axis));
   // Its value first: taken over with the one before, the vehicle would be shown a wrong one.
-  return {{0, handPath(axis), schema::toText(field, value)},
-          {0, handPath(axis) + "ByHand", "on"}};
+  return {{0, handPath(axis), schema::toText(field, value)}, {0, handPath(axis) + "ByHand", "on"}};
 }
 
 Change givenBack(HandAxis axis) {
