@@ -24,21 +24,27 @@ namespace {
 constexpr const char* kAllowed =
     "PATH=VALUE, at SECONDS PATH=VALUE, pause, resume, step SECONDS, pace FACTOR or stop";
 constexpr int kWaitMs = 20;
+constexpr double kShortestStep = 1e-6;  // s: that of the shortest tick
 
 /// Lines of standard input as they come.
 class InputLines {
  public:
   [[nodiscard]] bool open() const { return open_; }
-  /// Waits at most so long for more; returns whole lines, at the end of the input the rest.
+  /// Waits at most so long for more and takes all that is there; returns whole lines, at the end of
+  /// the input the rest.
   std::vector<std::string> read(int milliseconds) {
+    // Of a line without an end, or of a writer that never stops, at a time.
+    constexpr std::size_t kAtOnce = 1 << 20;
     std::vector<std::string> lines;
     pollfd input{STDIN_FILENO, POLLIN, 0};
-    if (!open_ || poll(&input, 1, milliseconds) <= 0) return lines;
-    std::array<char, 4096> bytes;
-    const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
-    if (count > 0) text_.append(bytes.data(), static_cast<std::size_t>(count));
-    open_ = count > 0;
-    if (!open_ && !text_.empty()) text_ += '\n';
+    while (open_ && text_.size() < kAtOnce && poll(&input, 1, milliseconds) > 0) {
+      std::array<char, 4096> bytes;
+      const ssize_t count = ::read(STDIN_FILENO, bytes.data(), bytes.size());
+      if (count > 0) text_.append(bytes.data(), static_cast<std::size_t>(count));
+      open_ = count > 0;
+      milliseconds = 0;
+    }
+    if ((!open_ || text_.size() >= kAtOnce) && !text_.empty()) text_ += '\n';
     for (std::size_t end = text_.find('\n'); end != std::string::npos; end = text_.find('\n')) {
       lines.push_back(text_.substr(0, end));
       text_.erase(0, end + 1);
@@ -64,11 +70,12 @@ void LiveCommands::refuse(const std::string& what, const std::string& allowed) {
   errors_ << "stdin:" << line_ << ": " << what << "; " << allowed << std::endl;
 }
 
-bool LiveCommands::number(const std::string& text, bool zero, double& value) {
+bool LiveCommands::number(const std::string& text, double least, bool zero, double& value) {
   const auto read = readNumber(trimmed(text));
-  if (!read || *read < 0 || (*read == 0 && !zero)) {
+  if (!read || !((*read >= least && *read <= kMost) || (zero && *read == 0))) {
     refuse(inQuotes(trimmed(text)) + " is not allowed",
-           zero ? "must be a number, at least 0" : "must be a number above 0");
+           std::string("must be ") + (zero ? "0, or " : "") + "a number from " + numberText(least) +
+               " to " + numberText(kMost));
     return false;
   }
   value = *read;
@@ -91,15 +98,15 @@ void LiveCommands::obey(const std::string& line) {
     worker_.stop();
   } else if (word == "step") {
     paused_ = true;
-    if (number(more, false, value)) worker_.step(value);
+    if (number(more, kShortestStep, false, value)) worker_.step(value);
   } else if (word == "pace") {
-    if (number(more, true, value)) worker_.setPace({value});
+    if (number(more, kLeastPace, true, value)) worker_.setPace({value});
   } else {
     Change change;
     if (word == "at") {
       std::istringstream timed(more);
       timed >> word;
-      if (!number(word, true, change.time)) return;
+      if (!number(word, 0, false, change.time)) return;
       std::getline(timed, more);
       rest = trimmed(more);
     }

@@ -25,14 +25,18 @@ class LiveCommands {
 
  private:
   void refuse(const std::string& what, const std::string& allowed);
-  /// A number above or, if so allowed, at 0; else the line is refused.
-  bool number(const std::string& text, bool zero, double& value);
+  /// A number from `least` to kMost, or 0 where `zero` is allowed; else the line is refused.
+  bool number(const std::string& text, double least, bool zero, double& value);
 
   RunWorker& worker_;
   std::ostream& errors_;
   int line_ = 0, wrong_ = 0;
   bool paused_ = false;
 };
+
+/// Simulated seconds per second that can be kept at least and asked at most; times in s end there
+/// too.
+inline constexpr double kLeastPace = 1e-3, kMost = 1e6;
 
 struct LiveRun {
   RunStatus status;

@@ -180,7 +180,7 @@ void addRunCommand(CLI::App& app, int& code) {
   command
       ->add_option("--pace", options->pace,
                    "With --live: simulated seconds per second; 0 is as fast as possible")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Range(kLeastPace, kMost) | CLI::IsMember({"0"}))
       ->needs(live)
       ->type_name("FACTOR");
   command->callback([options, &code] { code = run(*options); });

@@ -25,8 +25,13 @@ std::optional<Problem> brokenRule(const Flight& flight, std::string_view path) {
   };
   if (path.starts_with("environment.")) return firstOf(schema::ref(flight.environment));
   const auto* inputs = std::get_if<Box<ControlledInputs>>(&flight.control);
-  if (path.starts_with("control.") && inputs != nullptr) return firstOf(schema::ref(**inputs));
-  return {};
+  if (!path.starts_with("control.") || inputs == nullptr) return {};
+  const ControlledInputs& all = **inputs;
+  if (path.starts_with("control.setPoints")) return firstOf(schema::ref(all));
+  // A timeline may have many thousand rows, of which none has changed.
+  const ControlledInputs others{
+      all.controller, all.motors, {all.setPoints.front()}, all.interpolation, all.byHand};
+  return firstOf(schema::ref(others));
 }
 
 class Differences {
@@ -130,8 +135,7 @@ bool hasSetPoints(const Flight& flight) {
 std::vector<Change> takenByHand(HandAxis axis, double value) {
   const schema::Field& field = *schema::typeOf<HandSetPoints>().field(keyOf(axis));
   // Its value first: taken over with the one before, the vehicle would be shown a wrong one.
-  return {{0, handPath(axis), schema::toText(field, value)},
-          {0, handPath(axis) + "ByHand", "on"}};
+  return {{0, handPath(axis), schema::toText(field, value)}, {0, handPath(axis) + "ByHand", "on"}};
 }
 
 Change givenBack(HandAxis axis) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/core/schema_tree.h"
+
 namespace rotorbench {
 
 namespace {
@@ -37,14 +39,19 @@ std::optional<Problem> LiveChanges::makeOne(const Change& change, double time) {
   const std::string path = flightPath(change.parameter);
   const auto part =
       std::ranges::find_if(parts_, [&](const LivePart& p) { return isBelow(path, p.path); });
-  if (auto problem = makeChange(flight_, change)) return problem;
-  if (part == parts_.end())
+  if (part == parts_.end()) {
+    Flight unchanged = flight_;
+    if (auto problem = makeChange(unchanged, change)) return problem;
     return Problem{path, "cannot change during this flight", "it needs a new run"};
+  }
+  if (auto problem = makeChange(flight_, change)) return problem;
   part->take(flight_, time);
   return {};
 }
 
 std::optional<Problem> LiveChanges::add(Change change, std::int64_t tick, double time) {
+  for (Problem& problem : schema::validate(schema::ref(std::as_const(change))))
+    return std::move(problem);
   // What is due now came first, here as in a repetition.
   if (auto problem = make(tick, time)) return problem;
   if (tickOfChange(change.time, flight_.tick) > tick) {
@@ -53,7 +60,8 @@ std::optional<Problem> LiveChanges::add(Change change, std::int64_t tick, double
     const auto place = std::ranges::upper_bound(changes_, change.time, {}, &Change::time);
     changes_.insert(place, std::move(change));
   } else {
-    change.time = time;
+    // Not before one that was made at this tick and is later by rounding: times must not fall.
+    change.time = next_ > 0 ? std::max(time, changes_[next_ - 1].time) : time;
     if (auto problem = makeOne(change, time)) return problem;
     changes_.insert(changes_.begin() + static_cast<std::ptrdiff_t>(next_++), std::move(change));
   }

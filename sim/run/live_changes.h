@@ -35,8 +35,6 @@ class LiveChanges {
   std::optional<Problem> add(Change change, std::int64_t tick, double time);
   /// All changes, made or still to come: with these the flight repeats.
   [[nodiscard]] const std::vector<Change>& all() const { return changes_; }
-  /// How many of them have been made.
-  [[nodiscard]] std::size_t made() const { return next_; }
 
  private:
   std::optional<Problem> makeOne(const Change& change, double time);

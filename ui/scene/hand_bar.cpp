@@ -101,14 +101,11 @@ bool HandBar::eventFilter(QObject* watched, QEvent* event) {
   if (watched != view_ || !flying_ || !isOn()) return false;
   if (event->type() == QEvent::FocusOut) level();  // the key's release would not be seen
   const bool press = event->type() == QEvent::KeyPress;
-  // Or a shortcut of the window would have the key first.
-  if (!press && event->type() != QEvent::KeyRelease && event->type() != QEvent::ShortcutOverride)
-    return false;
-  auto* key = static_cast<QKeyEvent*>(event);
+  if (!press && event->type() != QEvent::KeyRelease) return false;
+  const auto* key = static_cast<QKeyEvent*>(event);
   if ((key->modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) != 0) return false;
   if (press) return this->press(key->key(), key->isAutoRepeat());
-  if (event->type() == QEvent::KeyRelease) return !key->isAutoRepeat() && release(key->key());
-  return false;
+  return !key->isAutoRepeat() && release(key->key());
 }
 
 bool HandBar::press(int key, bool repeated) {

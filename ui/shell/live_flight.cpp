@@ -1,5 +1,6 @@
 #include "ui/shell/live_flight.h"
 
+#include "sim/core/schema_tree.h"
 #include "sim/document/changes.h"
 #include "sim/document/flight.h"
 #include "ui/charts/run_set.h"
@@ -60,7 +61,8 @@ void LiveFlight::onDocumentChanged() {
   if (!flies()) return;
   const Experiment& experiment = documents_.experiment();
   if (!holdsAlternative<Flight>(experiment.setup)) return;
-  LiveDifference difference = liveDifference(*told_, alternative<Flight>(experiment.setup));
+  const auto& flight = alternative<Flight>(experiment.setup);
+  LiveDifference difference = liveDifference(*told_, flight);
   for (const Change& change : difference.changes) {
     // A rule over several fields may hold again after the next edit.
     if (const auto problem = makeChange(*told_, change)) {
@@ -68,6 +70,9 @@ void LiveFlight::onDocumentChanged() {
           tr("Not changed in the flight: %1").arg(QString::fromStdString(problem->message())));
     } else {
       send(change);
+      // Text may be off by its last bit: told once is told.
+      const auto value = schema::get(schema::ref(std::as_const(flight)), change.parameter);
+      schema::set(schema::ref(*told_), change.parameter, value);
     }
   }
   const QString later = QString::fromStdString(difference.other);
