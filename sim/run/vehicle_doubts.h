@@ -1,5 +1,5 @@
-// What can be doubted of a vehicle by itself: for the problems of an experiment that flies it and for
-// its performance sheet.
+// What can be doubted of a vehicle by itself: for the problems of an experiment that flies it and
+// for its performance sheet.
 #pragma once
 
 #include <vector>

@@ -205,9 +205,10 @@ template <class S>
   const auto& v = at.motion;
   const BodyDrag& drag = constants_.drag;
   const S airSpeed = sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2] + detail::kSmallSpeedSquared);
+  const S thick = S(at.air.density / kStandardDensity);
   for (int k = 0; k < 3; ++k) {
-    sum.force[k] = -(drag.linear + drag.quadratic[k] * airSpeed) * v[k];
-    sum.moment[k] = -drag.angular[k] * at.rates[k];
+    sum.force[k] = -(drag.linear + drag.quadratic[k] * airSpeed) * thick * v[k];
+    sum.moment[k] = -drag.angular[k] * thick * at.rates[k];
   }
 }
 

@@ -38,7 +38,8 @@ struct RotorDeviation {
   bool operator==(const RotorDeviation&) const = default;
 };
 
-/// Air resistance of the body, at the centre of mass, in body axes.
+/// Air resistance of the body, at the centre of mass, in body axes, in air of 1.225 kg/m^3; it goes
+/// with the density.
 struct BodyDrag {
   double linear = 0;                                    ///< D, N s/m
   Eigen::Vector3d quadratic = Eigen::Vector3d::Zero();  ///< c, N s^2/m^2: F_k = -c_k |v| v_k

@@ -138,7 +138,9 @@ class TestCli : public QObject {
     QTemporaryDir folder;
     QFile file(folder.filePath("sheet.json"));
     QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(R"({"rotorbench": 1, "motor": {"speedConstant": "920 rpm/V"}})");
+    // The limit and no-load figures of the default motor: a motor that is described has none of it.
+    file.write(R"({"rotorbench": 1, "motor": {"speedConstant": "920 rpm/V", "resistance": 0.117,
+                   "noLoadCurrent": 0.45, "maxCurrent": 20}})");
     file.close();
     const Outcome read = cli({"data-sheet", file.fileName(), "--json"});
     QCOMPARE(read.out, outcome.out);

@@ -44,7 +44,7 @@ std::size_t countLeaves(schema::ConstRef object) {
   std::size_t leaves = 0;
   for (const auto& field : object.type->fields) {
     if (field.isLeaf() || field.kind == Kind::List) {
-      ++leaves;
+      leaves += field.advanced ? 0 : 1;
     } else {
       leaves +=
           countLeaves({&field.childType(object.object, 0), field.constChild(object.object, 0)});

@@ -9,7 +9,8 @@
 
 namespace rotorbench {
 
-/// Number of fields below `object` as a form would show them, chosen alternatives only.
+/// Number of fields below `object` as a form shows them at first, so without what stands behind
+/// "More"; of chosen alternatives only.
 std::size_t countLeaves(schema::ConstRef object);
 
 /// True if the field is shown inside its owner's form: leaves, tables, and groups and variants that

@@ -51,7 +51,8 @@ struct BusPoint {
 /// The supply at 0 V.
 template <class S>
 [[nodiscard]] BusPoint<S> emptyBus(const S& inner, double resistance) {
-  const bool flows = resistance > 0 && valueOf(inner) > 0;
+  // What is no number stays one.
+  const bool flows = resistance > 0 && !(valueOf(inner) <= 0);
   return {S(0.0), flows ? S(inner / resistance) : S(0.0)};
 }
 
@@ -62,12 +63,12 @@ template <class S, class Drawn>
   constexpr int kMostRounds = 60;
   constexpr double kClose = 1e-13;
   S bus = inner;
-  for (int round = 0; round < kMostRounds && valueOf(bus) > 0; ++round) {
+  for (int round = 0; round < kMostRounds && !(valueOf(bus) <= 0); ++round) {
     const S current = drawn(bus), next = S(inner - resistance * current);
     const double change = std::abs(valueOf(next) - valueOf(bus));
     bus = next;
-    if (valueOf(bus) > 0 && (change <= kClose * valueOf(inner) || round + 1 == kMostRounds))
-      return {bus, current};
+    const bool settled = !(change > kClose * valueOf(inner)) || round + 1 == kMostRounds;
+    if (settled && !(valueOf(bus) <= 0)) return {bus, current};
   }
   return emptyBus(inner, resistance);
 }

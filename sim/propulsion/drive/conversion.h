@@ -8,7 +8,8 @@
 //   h = d^2 V (V - v)/(2 L f v),   v = e + R h
 // and v the voltage of the mean: more than d V. With s = d V/v, the part of a period in which
 // current flows, its mean square exceeds the square of its mean by D^2 (s/3 - s^2/4), D^2/12 where
-// it flows always.
+// it flows always. In periods long against L/R all of this is too much: h stays below d (V - e)/R,
+// and the heat of the ripple below V^2 d (1 - d)/R, of a current that follows the switch at once.
 //   R. W. Erickson, D. Maksimovic, Fundamentals of Power Electronics, chapter 5
 // Switching and commutating cost k_s V |i| while the voltage is chopped and nothing at full duty:
 // k_s V |i| (1 - d^2). The rise and fall of a switch cost in proportion to V i, so does the current
@@ -35,12 +36,14 @@ struct Conversion {
 template <class S>
 [[nodiscard]] S interruptedCurrent(const EscConstants& esc, const S& d, const S& back,
                                    const S& bus) {
+  using std::min;
   using std::sqrt;
   const S k = S(esc.ripple * d * d * bus);
   const S c = S(k * (bus - back));
   if (!(valueOf(c) > 0)) return S(0);
   const S b = S(2.0 * back + k * esc.pathResistance);
-  return S(2.0 * c / (b + sqrt(S(b * b + 8.0 * esc.pathResistance * c))));
+  const S held = S(2.0 * c / (b + sqrt(S(b * b + 8.0 * esc.pathResistance * c))));
+  return min(held, S(d * (bus - back) / esc.pathResistance));
 }
 
 /// What the speed controller makes of a duty at a motor current in A, a back-EMF and a bus in V.
@@ -64,7 +67,8 @@ template <class S>
   if (esc.ripple > 0 && valueOf(share) > 0) {
     const S flows = S(d / share);
     const S swing = S((1.0 - share) * d * esc.ripple);
-    c.perVoltage = S(esc.pathResistance * swing * swing * (flows / 3.0 - 0.25 * flows * flows));
+    c.perVoltage = min(S(esc.pathResistance * swing * swing * (flows / 3.0 - 0.25 * flows * flows)),
+                       S(d * max(S(1.0 - d), S(0.0)) / esc.pathResistance));
   }
   return c;
 }

@@ -32,7 +32,7 @@ struct RotorInflow {
 struct RotorCoefficients {
   double thrust = 1.327e-5;  ///< k_eta, N s^2/rad^2
   double torque = 2.621e-7;  ///< k_m, N m s^2/rad^2
-  RotorInflow inflow;
+  RotorInflow inflow{};
   double referenceDensity = 1.225;  ///< kg/m^3 at which all of them hold
   double diameter = 0;              ///< m, for drawing and advance ratios; 0: not known
   bool operator==(const RotorCoefficients&) const = default;
@@ -46,7 +46,7 @@ struct PropellerCoefficients {
   double thrustCoefficient = 0.1288;  ///< CT at rest
   double powerCoefficient = 0.0666;   ///< CP at rest
   double diameter = 0.24003;          ///< m
-  RotorInflow inflow;                 ///< at 1.225 kg/m^3
+  RotorInflow inflow{};               ///< at 1.225 kg/m^3
   bool operator==(const PropellerCoefficients&) const = default;
 };
 

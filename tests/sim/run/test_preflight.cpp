@@ -84,6 +84,8 @@ class TestPreflight : public QObject {
     QFETCH(QString, named);
     Experiment e = shipped("f450-hover-and-steps");
     Flight& flight = flightOf(e);
+    flight.vehicle.drag = {};
+    std::get<PropellerCoefficients>(rotorOf(e).aerodynamics).inflow = {};
     if (change == 0) flight.vehicle.drag.linear = 1400;
     if (change == 1) flight.vehicle.drag.angular = Eigen::Vector3d::Constant(19);
     if (change == 2) {
