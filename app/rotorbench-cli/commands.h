@@ -17,6 +17,7 @@ void addSchemaCommand(CLI::App& app, int& code);
 void addSetCommand(CLI::App& app, int& code);
 void addPerformanceCommand(CLI::App& app, int& code);
 void addDataSheetCommand(CLI::App& app, int& code);
+void addLumpCommand(CLI::App& app, int& code);
 void addValidateCommand(CLI::App& app, int& code);
 
 }  // namespace rotorbench::cli

@@ -22,6 +22,7 @@ int main(int argc, char** argv) {
   addSetCommand(app, code);
   addPerformanceCommand(app, code);
   addDataSheetCommand(app, code);
+  addLumpCommand(app, code);
   addValidateCommand(app, code);
   try {
     app.parse(argc, argv);

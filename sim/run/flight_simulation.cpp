@@ -14,7 +14,7 @@ namespace rotorbench {
 
 namespace {
 
-/// s between two looks at the energy.
+/// s between two looks at the energy, and at numbers beyond every vehicle.
 constexpr double kEnergyInterval = 0.01;
 
 DriveWatch::Limits limitsOf(const PlantHandle& plant, bool controlled) {
@@ -113,7 +113,8 @@ std::optional<RunFailure> FlightSimulation::endedBy(const ClockTick& tick, doubl
     instants_.push_back({tick.time, tick.time, "cut_off", "battery below its cut-off"});
     return emptyBattery(tick.time, bus, cutOff);
   }
-  if (done_ % everyEnergy_ != 0) return {};
+  if (done_ % everyEnergy_ != 0 && done_ < ticks_) return {};
+  if (auto beyond = plant_->beyondFlight()) return beyond;
   const std::optional<EnergyBalance> now = plant_->energy();
   return now ? energy_.see(tick.time, *now) : std::nullopt;
 }

@@ -48,7 +48,8 @@ class FlightSimulation final : public SimulationBase {
   bool prepare(const ClockTick& tick);
   /// Keeps the row of this tick; false if there is no room.
   bool keep(const ClockTick& tick);
-  /// What may end the flight at this tick: an empty battery, energy out of nothing.
+  /// What may end the flight at this tick: an empty battery, energy out of nothing, numbers of no
+  /// vehicle.
   [[nodiscard]] std::optional<RunFailure> endedBy(const ClockTick& tick, double bus);
 
   double duration_;

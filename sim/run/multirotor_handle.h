@@ -13,6 +13,7 @@
 #include "sim/run/delayed_commands.h"
 #include "sim/run/multirotor_plants.h"
 #include "sim/run/plant_handle.h"
+#include "sim/run/plausible.h"
 #include "sim/vehicle/multirotor_outputs.h"
 
 namespace rotorbench {
@@ -61,6 +62,9 @@ class MultirotorHandle final : public PlantHandle {
     const double potential = c.mass * c.gravity * y_[kHeight];
     return EnergyBalance{body / 2 + magnetic / 2 + potential, body / 2, y_[Layout::kEnergy],
                          c.mass};
+  }
+  [[nodiscard]] std::optional<RunFailure> beyondFlight() const override {
+    return implausible<Plant>(time(), y_);
   }
   [[nodiscard]] RunFailure failure() const override { return solver_.runFailure(); }
   [[nodiscard]] ode::Statistics statistics() const override {

@@ -47,6 +47,8 @@ class PlantHandle {
   /// As of the last observe(); nothing where something else than the supply gives energy: wind, or
   /// whoever prescribes speeds.
   [[nodiscard]] virtual std::optional<EnergyBalance> energy() const = 0;
+  /// Why the state is none of a flight, if it is finite and yet beyond every vehicle.
+  [[nodiscard]] virtual std::optional<RunFailure> beyondFlight() const = 0;
   [[nodiscard]] virtual ode::Statistics statistics() const = 0;
   [[nodiscard]] virtual RunFailure failure() const = 0;
 };

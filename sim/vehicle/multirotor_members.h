@@ -66,6 +66,8 @@ RotorLanes<N> lanesOf(const std::array<typename MultirotorConstants<N>::Hub, N>&
     lanes.rotor.inflow[lane] = hub.rotor.inflow;
     lanes.rotor.lift[lane] = hub.rotor.lift;
     lanes.rotor.flapping[lane] = hub.rotor.flapping;
+    lanes.rotor.discs[lane] = hub.rotor.discs;
+    lanes.rotor.lifting = lanes.rotor.lifting || hub.rotor.lifting;
     lanes.motor.torqueConstant[lane] = hub.motor.torqueConstant;
     lanes.motor.resistance[lane] = hub.motor.resistance;
     lanes.motor.inverseInductance[lane] = hub.motor.inverseInductance;

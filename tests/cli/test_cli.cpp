@@ -4,7 +4,6 @@
 
 #include <QDir>
 #include <QFile>
-#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
@@ -12,40 +11,9 @@
 #include <QTest>
 #include <cmath>
 
-namespace {
+#include "tests/cli/cli.h"
 
-struct Outcome {
-  int code;
-  QByteArray out, err;
-};
-
-Outcome cli(const QStringList& arguments) {
-  QProcess process;
-  process.start(ROTORBENCH_CLI, arguments);
-  if (!process.waitForFinished(120000) || process.exitStatus() != QProcess::NormalExit) {
-    return {-1, process.readAllStandardOutput(), process.readAllStandardError()};
-  }
-  return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
-}
-
-QString shipped(const QString& name) {
-  return QString(EXPERIMENTS_DIR "/%1.json").arg(name);
-}
-
-QByteArray contents(const QString& path) {
-  QFile file(path);
-  return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
-}
-
-/// Value of one figure of a printed sheet; -1 for null, -2 where there is no such figure.
-double figure(const QByteArray& json, const QString& key) {
-  for (const QJsonValue f : QJsonDocument::fromJson(json).object()["figures"].toArray()) {
-    if (f["key"].toString() == key) return f["value"].toDouble(-1);
-  }
-  return -2;
-}
-
-}  // namespace
+using namespace rotorbench::test;
 
 class TestCli : public QObject {
   Q_OBJECT
@@ -53,7 +21,7 @@ class TestCli : public QObject {
  private slots:
   void helpAndVersion() {
     for (const char* word :
-         {"run", "list", "schema", "set", "performance", "data-sheet", "validate"}) {
+         {"run", "list", "schema", "set", "performance", "data-sheet", "lump", "validate"}) {
       QVERIFY(cli({"--help"}).out.contains(word));
       QCOMPARE(cli({word, "--help"}).code, 0);
     }
@@ -105,45 +73,6 @@ class TestCli : public QObject {
     const Outcome outcome = cli({"schema"});
     QCOMPARE(outcome.code, 0);
     QVERIFY(QJsonDocument::fromJson(outcome.out).object().contains("$schema"));
-  }
-
-  void performanceOfAVehicle() {
-    const Outcome text = cli({"performance", shipped("f450-hover-and-steps")});
-    QCOMPARE(text.code, 0);
-    QVERIFY(text.out.contains("Thrust to weight"));
-    QVERIFY(text.out.contains("limited by a motor's current limit of 20 A"));
-    const Outcome json = cli({"performance", shipped("f450-hover-and-steps"), "--json"});
-    const double light = figure(json.out, "thrust.toWeight");
-    QVERIFY(light > 2 && light < 4);
-    const Outcome heavy = cli({"performance", shipped("f450-hover-and-steps"), "--set",
-                               "setup.vehicle.mass.mass=2.8", "--json"});
-    QVERIFY(std::abs(figure(heavy.out, "thrust.toWeight") - light / 2) < 1e-6);
-    const Outcome none = cli({"performance", shipped("spring-bar-birotor")});
-    QCOMPARE(none.code, 2);
-    QVERIFY(none.err.contains("has no vehicle"));
-  }
-
-  void dataSheetOfADrive() {
-    const Outcome outcome = cli({"data-sheet", "--json", "--set", "motor.speedConstant=920 rpm/V"});
-    QCOMPARE(outcome.code, 0);
-    // K_t = 60/(2 pi Kv).
-    QVERIFY(std::abs(figure(outcome.out, "motor.torqueConstant") - 60 / (2 * M_PI * 920)) < 1e-12);
-    QVERIFY(cli({"data-sheet"}).out.contains("Thrust to weight"));
-    const Outcome wrong = cli({"data-sheet", "--set", "motor.speedConstant=-1"});
-    QCOMPARE(wrong.code, 2);
-    QVERIFY(wrong.err.contains("speedConstant"));
-    const Outcome bench = cli({"data-sheet", "--experiment", shipped("thrust-stand-x2216")});
-    QCOMPARE(bench.code, 0);
-    QCOMPARE(cli({"data-sheet", "--experiment", shipped("spring-bar-birotor")}).code, 2);
-    QTemporaryDir folder;
-    QFile file(folder.filePath("sheet.json"));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    // The limit and no-load figures of the default motor: a motor that is described has none of it.
-    file.write(R"({"rotorbench": 1, "motor": {"speedConstant": "920 rpm/V", "resistance": 0.117,
-                   "noLoadCurrent": 0.45, "maxCurrent": 20}})");
-    file.close();
-    const Outcome read = cli({"data-sheet", file.fileName(), "--json"});
-    QCOMPARE(read.out, outcome.out);
   }
 
   /// A vehicle that cannot lift itself: said before the run, and what it came to after it, by exit

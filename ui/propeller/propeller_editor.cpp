@@ -18,6 +18,7 @@
 #include "ui/forms/plain_locale.h"
 #include "ui/library/library_forms.h"
 #include "ui/propeller/blade_curves.h"
+#include "ui/propeller/lumped_dialog.h"
 #include "ui/propeller/polar_import.h"
 #include "ui/propeller/propeller_figures.h"
 #include "ui/scene/scene_view.h"
@@ -146,6 +147,11 @@ void PropellerEditor::buildButtons() {
   polars->setAutoDefault(false);
   polars->setToolTip(tr("A section from the polar files XFOIL and XFLR5 write"));
   connect(polars, &QPushButton::clicked, this, &PropellerEditor::askForPolars);
+  lump_ = buttons->addButton(tr("&Lumped coefficients…"), QDialogButtonBox::ActionRole);
+  lump_->setObjectName("lumpPropeller");
+  lump_->setAutoDefault(false);
+  lump_->setToolTip(tr("Coefficients that stand for this propeller about one speed"));
+  connect(lump_, &QPushButton::clicked, this, &PropellerEditor::openLumped);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   buttons->button(QDialogButtonBox::Close)->setAutoDefault(false);
   QUndoStack* stack = model_.undoStack();
@@ -175,6 +181,7 @@ void PropellerEditor::fillPicker() {
 
 void PropellerEditor::showPropeller(const QString& path) {
   path_ = path;
+  lump_->setEnabled(lumpable().has_value());
   form_->showSection(path);
   refresh();
 }
@@ -237,6 +244,19 @@ void PropellerEditor::removeStation(int station) {
   if (stations.size() < 2) return;
   stations.erase(stations.begin() + station);
   replaceStations(stations, tr("Remove station"));
+}
+
+std::optional<RotorModelAt> PropellerEditor::lumpable() const {
+  for (RotorModelAt& one : rotorModelsIn(model_.root()))
+    if (path_.startsWith(toQString(one.path) + QLatin1Char('.'))) return std::move(one);
+  return std::nullopt;
+}
+
+void PropellerEditor::openLumped() {
+  const auto rotor = lumpable();
+  const auto faulty = [](const Problem& problem) { return !problem.warning; };
+  if (!rotor || std::ranges::any_of(schema::validate(*model_.object(path_)), faulty)) return;
+  (new LumpedDialog(model_, *rotor, this))->show();
 }
 
 void PropellerEditor::askForPolars() {

@@ -7,12 +7,14 @@
 #include <QTimer>
 
 #include "sim/propulsion/rotor/blade.h"
+#include "sim/sizing/lumping.h"
 #include "ui/forms/document_model.h"
 #include "ui/forms/form_context.h"
 #include "ui/forms/unit_preferences.h"
 
 class QComboBox;
 class QLabel;
+class QPushButton;
 
 namespace rotorbench {
 
@@ -50,6 +52,9 @@ class PropellerEditor : public QDialog {
   void insertStation(double radius);
   void removeStation(int station);
   void askForPolars();
+  /// The propeller as part of a rotor that could be lumped.
+  [[nodiscard]] std::optional<RotorModelAt> lumpable() const;
+  void openLumped();
   void replaceStations(const std::vector<BladeStation>& stations, const QString& text);
   [[nodiscard]] QString stationPath(int station, const char* key) const;
 
@@ -64,6 +69,7 @@ class PropellerEditor : public QDialog {
   SceneView* view_;
   PropellerFigures* figures_;
   QLabel* message_;
+  QPushButton* lump_ = nullptr;
 };
 
 }  // namespace rotorbench

@@ -1,12 +1,16 @@
 #include "sim/propulsion/rotor/lumped_rotor.h"
 
+#include <numbers>
+
 #include "sim/core/constants.h"
 
 namespace rotorbench {
 
 namespace {
 
-void setInflow(RotorModel<double>& m, const RotorInflow& inflow, double density) {
+void setInflow(RotorModel<double>& m, const RotorInflow& inflow, double density, double diameter) {
+  m.discs = 0.5 * std::numbers::pi * diameter * diameter;
+  m.lifting = inflow.translationalLift > 0;
   m.drag = inflow.drag / density;
   m.inflow = inflow.inflow / density;
   m.lift = inflow.translationalLift / density;
@@ -33,7 +37,7 @@ RotorModel<double> lumpedModel(const RotorCoefficients& c) {
   RotorModel<double> m;
   m.thrust = c.thrust / c.referenceDensity;
   m.torque = c.torque / c.referenceDensity;
-  setInflow(m, c.inflow, c.referenceDensity);
+  setInflow(m, c.inflow, c.referenceDensity, diameterOf(c));
   return m;
 }
 
@@ -42,7 +46,7 @@ RotorModel<double> lumpedModel(const PropellerCoefficients& c) {
   const SquareFactors factors = squareFactors(c.thrustCoefficient, c.powerCoefficient, c.diameter);
   m.thrust = factors.thrust;
   m.torque = factors.torque;
-  setInflow(m, c.inflow, kStandardDensity);
+  setInflow(m, c.inflow, kStandardDensity, c.diameter);
   return m;
 }
 
@@ -62,10 +66,14 @@ void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
       .help("Thrust lost in climb: k_z times rotor speed times climb speed.");
   b.number("translationalLift", &P::translationalLift, "Translational lift", "k_h", "N*s^2/m^2")
       .range(schema::atLeast(0), schema::upTo(10))
-      .help("Thrust won in level flight: k_h times in-plane air speed squared.");
+      .help(
+          "Thrust won in level flight: k_h times in-plane air speed squared. The rotor takes at "
+          "least the power of an ideal one for it.");
   b.number("flapping", &P::flapping, "Flapping", "k_flap", "N*s^2")
-      .range(schema::atLeast(0), schema::upTo(1))
-      .help("Moment at the hub from flapping blades.")
+      .range(schema::atLeast(-1), schema::upTo(1))
+      .help(
+          "Moment at the hub: k_flap times rotor speed times in-plane air speed. Above 0 it tips "
+          "the hub forward, as RotorPy counts it; blades that flap back are below 0.")
       .advanced();
 }
 

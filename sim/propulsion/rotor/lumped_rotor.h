@@ -6,12 +6,16 @@
 //   drag torque    Q = k_m w^2, on the body about the axis: -s Q (s = +1 counter-clockwise from
 //   above) flapping       M = -k_flap w (v x axis)
 // v: velocity of the hub against the air, v_z along the axis. SI; all forces scale with air
-// density.
+// density. The form gives translational lift without a price. Here a rotor that has some takes at
+// least the power of an ideal one, T v_i with v_i^2 (v_i^2 + |v_xy|^2) = (T/2 rho A)^2 (H. Glauert's
+// momentum theory of edgewise flow), where that is more than k_m w^3 and than the ideal rotor's at
+// rest: far beyond the speeds at which the coefficients were found.
 #pragma once
 
 #include <Eigen/Core>
 #include <cmath>
 
+#include "sim/core/scalar.h"
 #include "sim/core/schema.h"
 #include "sim/propulsion/rotor/hub_load.h"
 
@@ -50,11 +54,35 @@ struct PropellerCoefficients {
   bool operator==(const PropellerCoefficients&) const = default;
 };
 
+/// N m more than `against` that a rotor at w rad/s takes for a thrust of `along` N in an in-plane
+/// stream, m^2/s^2. `thrust` and `lift`: k_eta and k_h over the density; `discs` 2 A in m^2.
+template <class S>
+[[nodiscard]] S priceOfLift(const S& w, const S& along, const S& acrossSquared, const S& density,
+                            const S& against, double thrust, double lift, double discs) {
+  using std::abs;
+  using std::max;
+  using std::sqrt;
+  if (!(lift > 0) || !(valueOf(acrossSquared) > 0) || !(valueOf(density) > 0)) return S(0.0);
+  const S load = S(along / (density * discs));
+  if (valueOf(load) == 0) return S(0.0);
+  const S half = S(0.5 * acrossSquared);
+  // v_i^2, without the difference of two large numbers.
+  const S square = S(load * load), induced = S(square / (half + sqrt(S(half * half + square))));
+  const S ideal = S(abs(along) * sqrt(induced));
+  const S rest = S(thrust * std::sqrt(thrust / discs) * density * abs(S(w * w * w)));
+  const S more = S(ideal - max(S(abs(against * w)), rest));
+  if (!(valueOf(more) > 0)) return S(0.0);
+  constexpr double kSlow = 1;  // rad/s: keeps the torque finite where the rotor stops
+  return S(more * w / (w * w + kSlow));
+}
+
 /// The lumped model per unit of air density, for one rotor (Real is double) or for several at once
 /// (Real is an Eigen::Array of double with one lane per rotor).
 template <class Real>
 struct RotorModel {
   Real thrust{}, torque{}, drag{}, inflow{}, lift{}, flapping{};
+  Real discs{};          ///< m^2: 2 A, of the disc
+  bool lifting = false;  ///< some lift is not 0
 
   /// Speed w in rad/s (negative: turning backwards, thrust and torque change sign), hub velocity
   /// against the air and axis in body axes, spin +-1, density in kg/m^3.
@@ -68,8 +96,38 @@ struct RotorModel {
     const S square = drive * w;
     const S along =
         thrust * square + lift * (density * stream.acrossSquared) - inflow * (drive * stream.axial);
-    return hubLoad<S>(v, axis, spin, stream.axial, along, S(torque * square), S(drag * drive),
+    S against = S(torque * square);
+    if (lifting) [[unlikely]] {
+      // Copies: what the others' path computes stays in registers.
+      const S turning = w, lifts = along, across = stream.acrossSquared, free = against;
+      against = pricedTorque<S>(turning, lifts, across, density, free);
+    }
+    return hubLoad<S>(v, axis, spin, stream.axial, along, against, S(drag * drive),
                       S(flapping * drive));
+  }
+
+ private:
+  template <class S, class Density>
+  [[gnu::noinline]] S pricedTorque(const S& w, const S& along, const S& acrossSquared,
+                                   const Density& density, const S& free) const {
+    if constexpr (std::is_same_v<Real, double>) {
+      return S(free +
+               priceOfLift<S>(w, along, acrossSquared, S(density), free, thrust, lift, discs));
+    } else {
+      S against = free;
+      using Scalar = typename S::Scalar;
+      for (int i = 0; i < Real::SizeAtCompileTime; ++i) {
+        Scalar here;
+        if constexpr (std::is_base_of_v<Eigen::EigenBase<Density>, Density>) {
+          here = Scalar(density[i]);
+        } else {
+          here = Scalar(density);
+        }
+        against[i] += priceOfLift<Scalar>(w[i], along[i], acrossSquared[i], here, against[i],
+                                          thrust[i], lift[i], discs[i]);
+      }
+      return against;
+    }
   }
 };
 

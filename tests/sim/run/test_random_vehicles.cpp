@@ -27,13 +27,15 @@ struct Count {
   std::map<std::string, int> stoppedBy;  ///< of the failed: what the failure names
 };
 
-/// W that a speed controller may lose at most beside its switches' resistance.
+/// W that a speed controller may lose at most beside its switches' resistance, with room for a bus
+/// that is found in two rounds.
 double mostLoss(const RotorParameters& rotor, double bus, double current) {
   const EscParameters& esc = rotor.esc;
   double loss =
       esc.switchingLoss * bus * std::abs(current) + esc.leadResistance * current * current;
   if (esc.pwmFrequency > 0) loss += 0.25 * bus * bus / (esc.resistance + rotor.motor.resistance);
-  return loss;
+  constexpr double kRoom = 2;
+  return kRoom * loss;
 }
 
 /// What the supply gives is what converters, motors and avionics take, and its voltage is what its

@@ -285,20 +285,26 @@ void TestMultirotor::mirroredVehicleMovesMirrored() {
   QVERIFY((dz - mirrored(dy)).cwiseAbs().maxCoeff() < 1e-9);
 }
 
-/// Linear drag alone: v = v0 exp(-D t/m).
+/// Linear drag alone, the rotors at rest: v = v0 exp(-D t/m), twice as fast in air twice as dense
+/// and not at all in none.
 void TestMultirotor::bodyDragStopsTheVehicle() {
   VehicleParameters v;
   v.drag.linear = 0.7;
-  const Prescribed plant(buildMultirotor<4>(v, emptySpace()));
-  Prescribed::State y = Prescribed::State::Zero(), d;
-  y.segment<4>(L::kAttitude) = quaternionOf({0.3, -0.2, 1});
-  y.segment<3>(L::kVelocity) = Vector3d(3, -2, 1);
-  for (int k = 0; k < 1000; ++k) plainRk4(plant, 1e-3, y);
-  QVERIFY((y.segment<3>(L::kVelocity) - std::exp(-0.5) * Vector3d(3, -2, 1)).norm() < 1e-9);
-
+  EnvironmentParameters air = emptySpace();
+  for (const double times : {0.0, 1.0, 2.0}) {
+    air.air = UniformAir{times * kStandardDensity};
+    const Prescribed plant(buildMultirotor<4>(v, air));
+    Prescribed::State y = Prescribed::State::Zero();
+    y.segment<4>(L::kAttitude) = quaternionOf({0.3, -0.2, 1});
+    y.segment<3>(L::kVelocity) = Vector3d(3, -2, 1);
+    for (int k = 0; k < 1000; ++k) plainRk4(plant, 1e-3, y);
+    const Vector3d expected = std::exp(-0.5 * times) * Vector3d(3, -2, 1);
+    QVERIFY((y.segment<3>(L::kVelocity) - expected).norm() < 1e-9);
+  }
+  air.air = UniformAir{kStandardDensity};
   v.drag = {0, {0.1, 0.2, 0.3}, {0.01, 0.02, 0.03}};
-  const Prescribed blunt(buildMultirotor<4>(v, emptySpace()));
-  y = Prescribed::State::Zero();
+  const Prescribed blunt(buildMultirotor<4>(v, air));
+  Prescribed::State y = Prescribed::State::Zero(), d;
   y[L::kAttitude] = 1;
   y.segment<3>(L::kVelocity) = Vector3d(3, -4, 12);
   blunt.setBodyRates(y, {1, 2, 3});

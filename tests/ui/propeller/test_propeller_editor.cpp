@@ -2,11 +2,15 @@
 // polars brought in, and the figures below read.
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
 #include <QTemporaryDir>
 #include <QToolButton>
 #include <QtTest>
 
 #include "sim/document/experiment.h"
+#include "sim/document/flight.h"
 #include "sim/document/motor_bench.h"
 #include "sim/propulsion/rotor/advance_sweep.h"
 #include "ui/propeller/blade_curves.h"
@@ -25,11 +29,18 @@ Experiment stand() {
   return experiment;
 }
 
+Experiment flight() {
+  Experiment experiment;
+  auto& rotors = std::get<EqualRotors>(alternative<Flight>(experiment.setup).vehicle.rotors);
+  rotors.rotor.aerodynamics = BladeElementPropeller{};
+  return experiment;
+}
+
 struct Fixture {
-  DocumentModel model{makeDocument(stand())};
+  DocumentModel model;
   QPointer<PropellerEditor> editor = new PropellerEditor(model);
 
-  Fixture() {
+  explicit Fixture(const Experiment& experiment = stand()) : model(makeDocument(experiment)) {
     editor->resize(1100, 720);
     editor->show();
     editor->activateWindow();
@@ -154,6 +165,50 @@ class TestPropellerEditor : public QObject {
     QVERIFY(message->isVisible());
     QVERIFY2(message->text().contains("broken.txt"), qPrintable(message->text()));
     QVERIFY(f.editor->geometry() == PropellerGeometry{});
+  }
+
+  /// The button, the sheet, its speed typed, and the coefficients in the propeller's place.
+  void lumpedByAButton() {
+    Fixture f(flight());
+    const auto rotor = [&model = f.model]() -> const RotorAerodynamics& {
+      const auto& vehicle = alternative<Flight>(model.as<Experiment>().setup).vehicle;
+      return std::get<EqualRotors>(vehicle.rotors).rotor.aerodynamics;
+    };
+    auto* button = f.editor->findChild<QPushButton*>("lumpPropeller");
+    QVERIFY(button->isEnabled());
+    QTest::mouseClick(button, Qt::LeftButton);
+    QPointer<QDialog> dialog = f.editor->findChild<QDialog*>("lumpedDialog");
+    QVERIFY(dialog != nullptr && dialog->isVisible());
+    auto* use = dialog->findChild<QPushButton*>("useLumped");
+    QTRY_VERIFY(use->isEnabled());
+    auto* speed = dialog->findChild<QLineEdit*>("speed");
+    QVERIFY(speed != nullptr);
+    speed->setFocus();
+    speed->selectAll();
+    QTest::keyClicks(speed, "4800");
+    QTest::keyClick(speed, Qt::Key_Return);
+    const auto* table = dialog->findChild<QTableWidget*>("figures");
+    const auto reads = [table](const QString& text) {
+      return !table->findItems(text, Qt::MatchContains).isEmpty();
+    };
+    QTRY_VERIFY(reads("4800"));
+    QVERIFY(reads("Rolling moment, left out"));
+    QTest::mouseClick(use, Qt::LeftButton);
+    QTRY_VERIFY(dialog.isNull());
+    const auto* lumped = std::get_if<RotorCoefficients>(&rotor());
+    QVERIFY(lumped != nullptr);
+    const BladeElementRotor blades{PropellerGeometry{}};
+    const double w = 4800 * M_PI / 30, thrust = blades.axial(w, 0, {}).thrust;
+    QVERIFY(std::abs(lumped->thrust * w * w / thrust - 1) < 1e-9);
+    QTRY_VERIFY(f.editor.isNull());
+    f.model.undoStack()->undo();
+    QVERIFY(std::holds_alternative<BladeElementPropeller>(rotor()));
+  }
+
+  /// A load of a stand has no place for them, and the button says no.
+  void noPlaceForLumped() {
+    Fixture f;
+    QVERIFY(!f.editor->findChild<QPushButton*>("lumpPropeller")->isEnabled());
   }
 
   void closesWhenThePropellerIsGone() {

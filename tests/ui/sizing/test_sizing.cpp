@@ -273,6 +273,12 @@ void TestSizing::figuresFollowTheLocale() {
     const char* group = action == QByteArray("toolDataSheet") ? "Full throttle" : "Thrust";
     QTRY_VERIFY(!readValue(*dialog, group, "Thrust to weight").isEmpty());
     QVERIFY(readValue(*dialog, group, "Thrust to weight").contains(right));
+    // Sentences with decimals are in no note of this vehicle until a limit has some.
+    if (action == QByteArray("toolPerformance")) {
+      typeField(*dialog, "payloadThrottle", comma ? "79,5" : "79.5");
+      QTRY_VERIFY(
+          readValue(*dialog, "Payload", "Largest payload", 3).contains(comma ? "79,5" : "79.5"));
+    }
     const auto* table = dialog->findChild<QTableWidget*>("figures");
     int numbers = 0;
     for (int row = 0; row < table->rowCount(); ++row) {
