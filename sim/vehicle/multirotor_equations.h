@@ -62,7 +62,8 @@ inline typename Multirotor<N, Drive>::template Electrical<S> Multirotor<N, Drive
     const S left = at.bus, avionics(constants_.avionicsPower);
     const double r = constants_.supply.resistance;
     at.bus = busVoltage<S>(left, avionics, r);
-    at.supplyCurrent = at.supplyCurrent + (r > 0 ? S((left - at.bus) / r) : S(avionics / at.bus));
+    const bool all = busReserve(valueOf(left), constants_.avionicsPower, r) >= 0;
+    at.supplyCurrent = at.supplyCurrent + (all ? S(avionics / at.bus) : S((left - at.bus) / r));
   }
   const Lanes back = lanes.motor.torqueConstant * speed;
   at.voltage = at.duty * at.bus - lanes.escResistance * current;

@@ -284,9 +284,9 @@ class TestShippedExperiments : public QObject {
     const auto simulation = runToEnd(experiment);
     QCOMPARE(simulation->state(), SimulationState::Failed);
     QVERIFY(simulation->failure()->time > 0);
-    // Energy without a source is found before a number overflows.
-    QCOMPARE(simulation->failure()->component, std::string("energy"));
-    QVERIFY2(simulation->failure()->message.find("a step is too long") != std::string::npos,
+    // A current of no motor is found before the number overflows.
+    QCOMPARE(simulation->failure()->component, std::string("rotor1.current"));
+    QVERIFY2(simulation->failure()->message.find("A smaller step") != std::string::npos,
              simulation->failure()->message.c_str());
     QVERIFY(simulation->runs().front().recording->rows() > 1);
   }

@@ -18,8 +18,8 @@ struct LumpingRange {
   double axial = 1;        ///< m/s, the largest climb and descent; above 0
 };
 
-/// About this speed, rad/s, in air of this density: in-plane up to a tenth of the blade tips' speed,
-/// axial up to 0.4 of the induced velocity at rest, where no vortex ring forms.
+/// About this speed, rad/s, in air of this density: in-plane up to a tenth of the blade tips'
+/// speed, axial up to 0.4 of the induced velocity at rest, where no vortex ring forms.
 LumpingRange lumpingRange(const RotorAerodynamics& rotor, double speed, double density);
 
 /// Root mean squares over the grid, as parts of the static thrust T0 and of T0 R.

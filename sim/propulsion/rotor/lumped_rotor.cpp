@@ -67,8 +67,8 @@ void Describe<RotorInflow>::fields(schema::Builder<RotorInflow>& b) {
   b.number("translationalLift", &P::translationalLift, "Translational lift", "k_h", "N*s^2/m^2")
       .range(schema::atLeast(0), schema::upTo(10))
       .help(
-          "Thrust won in level flight: k_h times in-plane air speed squared. The rotor takes at "
-          "least the power of an ideal one for it.");
+          "Thrust won in level flight: k_h times in-plane air speed squared. The torque "
+          "pays for what an ideal rotor would take more for it than at rest.");
   b.number("flapping", &P::flapping, "Flapping", "k_flap", "N*s^2")
       .range(schema::atLeast(-1), schema::upTo(1))
       .help(

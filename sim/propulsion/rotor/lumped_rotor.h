@@ -4,12 +4,14 @@
 //   thrust         T = k_eta w^2 + k_h |v_xy|^2 - k_z w v_z    along the rotor axis
 //   in-plane drag  H = -k_d w v_xy
 //   drag torque    Q = k_m w^2, on the body about the axis: -s Q (s = +1 counter-clockwise from
-//   above) flapping       M = -k_flap w (v x axis)
+//   above)
+//   flapping       M = -k_flap w (v x axis)
 // v: velocity of the hub against the air, v_z along the axis. SI; all forces scale with air
-// density. The form gives translational lift without a price. Here a rotor that has some takes at
-// least the power of an ideal one, T v_i with v_i^2 (v_i^2 + |v_xy|^2) = (T/2 rho A)^2 (H. Glauert's
-// momentum theory of edgewise flow), where that is more than k_m w^3 and than the ideal rotor's at
-// rest: far beyond the speeds at which the coefficients were found.
+// density. The form gives translational lift without a price. Here a rotor that has some pays with
+// its torque for what an ideal one would take more than at rest: T v_i - T_0 v_0, where that is
+// above 0, T_0 the thrust without lift, v_i^2 (v_i^2 + |v_xy|^2) = (T/2 rho A)^2 by H. Glauert's
+// momentum theory of edgewise flow. In slow flight v_i falls faster than T grows, and the form
+// stays what it is.
 #pragma once
 
 #include <Eigen/Core>
@@ -54,13 +56,13 @@ struct PropellerCoefficients {
   bool operator==(const PropellerCoefficients&) const = default;
 };
 
-/// N m more than `against` that a rotor at w rad/s takes for a thrust of `along` N in an in-plane
-/// stream, m^2/s^2. `thrust` and `lift`: k_eta and k_h over the density; `discs` 2 A in m^2.
+/// N m that a rotor at w rad/s takes more for a thrust of `along` N in an in-plane stream, m^2/s^2,
+/// than at rest for what of it is no translational lift. `lift`: k_h over the density; `discs` 2 A
+/// in m^2.
 template <class S>
 [[nodiscard]] S priceOfLift(const S& w, const S& along, const S& acrossSquared, const S& density,
-                            const S& against, double thrust, double lift, double discs) {
+                            double lift, double discs) {
   using std::abs;
-  using std::max;
   using std::sqrt;
   if (!(lift > 0) || !(valueOf(acrossSquared) > 0) || !(valueOf(density) > 0)) return S(0.0);
   const S load = S(along / (density * discs));
@@ -68,9 +70,9 @@ template <class S>
   const S half = S(0.5 * acrossSquared);
   // v_i^2, without the difference of two large numbers.
   const S square = S(load * load), induced = S(square / (half + sqrt(S(half * half + square))));
-  const S ideal = S(abs(along) * sqrt(induced));
-  const S rest = S(thrust * std::sqrt(thrust / discs) * density * abs(S(w * w * w)));
-  const S more = S(ideal - max(S(abs(against * w)), rest));
+  S more = S(abs(along) * sqrt(induced));
+  const S plain = S(abs(S(along - lift * (density * acrossSquared))));
+  if (valueOf(plain) > 0) more -= plain * sqrt(S(plain / (density * discs)));
   if (!(valueOf(more) > 0)) return S(0.0);
   constexpr double kSlow = 1;  // rad/s: keeps the torque finite where the rotor stops
   return S(more * w / (w * w + kSlow));
@@ -111,8 +113,7 @@ struct RotorModel {
   [[gnu::noinline]] S pricedTorque(const S& w, const S& along, const S& acrossSquared,
                                    const Density& density, const S& free) const {
     if constexpr (std::is_same_v<Real, double>) {
-      return S(free +
-               priceOfLift<S>(w, along, acrossSquared, S(density), free, thrust, lift, discs));
+      return S(free + priceOfLift<S>(w, along, acrossSquared, S(density), lift, discs));
     } else {
       S against = free;
       using Scalar = typename S::Scalar;
@@ -123,8 +124,8 @@ struct RotorModel {
         } else {
           here = Scalar(density);
         }
-        against[i] += priceOfLift<Scalar>(w[i], along[i], acrossSquared[i], here, against[i],
-                                          thrust[i], lift[i], discs[i]);
+        against[i] +=
+            priceOfLift<Scalar>(w[i], along[i], acrossSquared[i], here, lift[i], discs[i]);
       }
       return against;
     }

@@ -46,8 +46,9 @@ class TestLumped : public QObject {
     }
   }
 
-  /// At 40 m/s this lift is four times the thrust at rest; an ideal rotor takes T v_i for it, with
-  /// v_i (v_i^2 + v^2)^1/2 = T/(2 rho A).
+  /// At 40 m/s this lift makes the thrust five times that at rest. An ideal rotor takes T v_i for it,
+  /// v_i (v_i^2 + v^2)^1/2 = T/(2 rho A), and T_0 (T_0/2 rho A)^1/2 at rest: the rest of the torque,
+  /// friction of the blades, stays.
   void liftIsNoFreePower() {
     const RotorCoefficients c = hummingbird();
     const double w = 500, area = M_PI * 0.01, speed = 40;
@@ -55,9 +56,9 @@ class TestLumped : public QObject {
     double induced = 0;
     for (int k = 0; k < 100; ++k)
       induced = l.thrust / (2 * 1.225 * area * std::hypot(induced, speed));
-    QVERIFY(l.torque * w > 1.3 * 1.36e-7 * w * w * w);
-    QVERIFY2(near(l.torque * w, l.thrust * induced) < 1e-5,
-             qPrintable(QString("%1 %2").arg(l.torque * w).arg(l.thrust * induced)));
+    const double rest = c.thrust * w * w, hover = rest * std::sqrt(rest / (2 * 1.225 * area));
+    QVERIFY(l.thrust > 4 * rest && l.torque > 1.5 * c.torque * w * w);
+    QVERIFY(near(l.torque * w - c.torque * w * w * w, l.thrust * induced - hover) < 1e-5);
     // It begins without a jump, and a rotor without such lift never pays.
     RotorCoefficients none = c;
     none.inflow.translationalLift = 0;
@@ -133,7 +134,8 @@ class TestLumped : public QObject {
     QVERIFY(near(c.torque * 520 * 520, rotor.axial(520, 0, air).torque) < 1e-12);
     const double slope =
         (rotor.axial(520, -1, air).thrust - rotor.axial(520, 1, air).thrust) / (2 * 520);
-    QVERIFY2(near(c.inflow.inflow, slope) < 0.1,
+    // Over all of the range, in a stream from the side too: near the slope at rest, not it.
+    QVERIFY2(near(c.inflow.inflow, slope) < 0.25,
              qPrintable(QString::number(c.inflow.inflow / slope)));
     QVERIFY(c.inflow.drag > 0 && c.inflow.translationalLift > 0 && c.inflow.flapping < 0);
     QVERIFY2(e.errors.thrust < 0.02, qPrintable(QString::number(e.errors.thrust)));
