@@ -13,8 +13,8 @@ std::string metricsText(const MetricTable& table);
 
 /// {"experiment": title, "metrics": [{"run": …, NAME: number, …}], "units": {NAME: unit},
 /// "verdicts": [{"time": s, "name": …, "what": …}], "events": [{"time": s, "end": s, "name": …,
-/// "what": …}], "warnings": [{"path": …, "what": …, "allowed": …}]}; a figure that does not exist is
-/// null. Numbers have the shortest digits that read back equal.
+/// "what": …}], "warnings": [{"path": …, "what": …, "allowed": …}]}; a figure that does not exist
+/// is null. Numbers have the shortest digits that read back equal.
 std::string metricsJson(const std::string& experimentTitle, const RunSummary& summary);
 
 }  // namespace rotorbench

@@ -1,6 +1,6 @@
 // Lumped coefficients that stand for a propeller of a document: the range they are to hold over at
-// the left, what came of it and what it leaves out at the right. Puts them in the propeller's place,
-// as one step of undo.
+// the left, what came of it and what it leaves out at the right. Puts them in its place, as one
+// step of undo.
 #pragma once
 
 #include <QDialog>

@@ -37,8 +37,8 @@ struct LumpedEquivalent {
 };
 
 /// k_z, k_h and k_d below 0 are not allowed and become 0: their part is then in the errors. A map
-/// takes the time to be built, unless it was before. Throws InputError where the model has no thrust
-/// or no finite load at rest.
+/// takes the time to be built, unless it was before. Throws InputError where the model has no
+/// thrust or no finite load at rest.
 LumpedEquivalent lumpedEquivalent(const RotorAerodynamics& rotor, const LumpingRange& range);
 
 template <>

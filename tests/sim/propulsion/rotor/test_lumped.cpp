@@ -46,9 +46,9 @@ class TestLumped : public QObject {
     }
   }
 
-  /// At 40 m/s this lift makes the thrust five times that at rest. An ideal rotor takes T v_i for it,
-  /// v_i (v_i^2 + v^2)^1/2 = T/(2 rho A), and T_0 (T_0/2 rho A)^1/2 at rest: the rest of the torque,
-  /// friction of the blades, stays.
+  /// At 40 m/s this lift makes the thrust five times that at rest. An ideal rotor takes T v_i for
+  /// it, v_i (v_i^2 + v^2)^1/2 = T/(2 rho A), and T_0 (T_0/2 rho A)^1/2 at rest: the rest of the
+  /// torque, friction of the blades, stays.
   void liftIsNoFreePower() {
     const RotorCoefficients c = hummingbird();
     const double w = 500, area = M_PI * 0.01, speed = 40;
