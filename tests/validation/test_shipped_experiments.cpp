@@ -145,8 +145,8 @@ class TestShippedExperiments : public QObject {
              "saturates for long");
   }
 
-  /// The air pushes at a vehicle whose speed still changes at the end of each part: a centimetre and
-  /// half a degree are left where the drag changes, and nothing once it has come to rest.
+  /// The air pushes at a vehicle whose speed still changes at the end of each part: a centimetre
+  /// and half a degree are left where the drag changes, and nothing once it has come to rest.
   void flagshipHoldsInTheAir() {
     const Simulation& simulation = flown("f450-hover-and-steps");
     const MetricTable table = simulation.metrics();

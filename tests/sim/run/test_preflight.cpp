@@ -43,8 +43,8 @@ class TestPreflight : public QObject {
   Q_OBJECT
  private slots:
   /// case 08 of the checks from outside: a square plate of 30 g and 75.7 mm, its moments rounded to
-  /// three digits, is 0.35 % over the triangle inequality and flies; the Iris that is 21 % over does
-  /// not.
+  /// three digits, is 0.35 % over the triangle inequality and flies; the Iris that is 21 % over
+  /// does not.
   void roundedInertia() {
     Experiment e = shipped("f450-hover-and-steps");
     massOf(e).mass = 0.03;

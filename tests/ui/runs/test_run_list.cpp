@@ -69,7 +69,8 @@ void TestRunList::recordFollowsTheRun() {
   QCOMPARE(record.status.outputs.at(0).recording->rows(), std::size_t{1000});
   QVERIFY(record.status.wallSeconds > 0);
   QVERIFY(runDetail(record).startsWith("Finished, 1 s in "));
-  QVERIFY(states.count() >= 2);
+  // So short a run may be over before anybody looks at its beginning.
+  QVERIFY(states.count() >= 1);
 }
 
 /// What happens on the way is told by the tool tip and marked in charts, with the changes; a limit

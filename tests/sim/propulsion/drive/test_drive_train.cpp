@@ -218,8 +218,8 @@ class TestDriveTrain : public QObject {
     QVERIFY(std::abs(at.busVoltage - (12 - 3 * (0.006 + 0.003) * at.busCurrent)) < 1e-4);
   }
 
-  /// Chen and Rincon-Mora, eq. (2), gone on with to 1.09499 of their charge, where a cell has 4.20 V:
-  /// the values at empty, half and full.
+  /// Chen and Rincon-Mora, eq. (2), gone on with to 1.09499 of their charge, where a cell has
+  /// 4.20 V: the values at empty, half and full.
   void lithiumPolymerCurve() {
     BatteryParameters battery;
     battery.series = 1;
