@@ -240,11 +240,9 @@ std::string resultsText(const std::vector<CaseResult>& results) {
       const std::string unit = f.unit == "1" ? "" : " " + f.unit;
       std::string evidence = evidenceText(f.evidence);
       evidence.resize(kEvidenceWidth, ' ');
-      text += std::string("  ") + evidence + "  " +
-              (!f.limit     ? "      "
-               : f.passed() ? "holds "
-                            : "MISSED") +
-              "  " + shown(f.value) + unit;
+      const char* held = !f.limit ? "      " : f.passed() ? "holds " : "MISSED";
+      text.append("  ").append(evidence).append("  ").append(held).append("  ");
+      text.append(shown(f.value)).append(unit);
       if (f.limit) text += " (limit " + numberText(*f.limit) + ")";
       text += "  " + f.metric + '\n';
     }

@@ -16,10 +16,10 @@ namespace rotorbench {
 
 namespace {
 
-/// That of the hover, or of some speed where nothing hovers.
-LumpingRange firstRange(const DocumentModel& model, const RotorModelAt& rotor) {
-  if (model.root().type == &schema::typeOf<Experiment>()) {
-    if (const auto hover = lumpingRangeOf(model.as<Experiment>(), rotor)) return *hover;
+/// That of the hover, or of some speed where nothing hovers. May take the time a map does.
+LumpingRange firstRange(const std::optional<Experiment>& experiment, const RotorModelAt& rotor) {
+  if (experiment) {
+    if (const auto hover = lumpingRangeOf(*experiment, rotor)) return *hover;
   }
   return lumpingRange(rotor.model, LumpingRange{}.speed, LumpingRange{}.density);
 }
@@ -30,7 +30,7 @@ LumpedDialog::LumpedDialog(DocumentModel& model, RotorModelAt rotor, QWidget* pa
     : QDialog(parent),
       model_(model),
       rotor_(std::move(rotor)),
-      settings_(makeDocument(firstRange(model, rotor_))),
+      settings_(makeDocument(LumpingRange{})),
       units_(&unitSettings_),
       context_{&settings_, &units_, plainLocale(), {}},
       form_(new ParameterForm(context_)),
@@ -41,6 +41,8 @@ LumpedDialog::LumpedDialog(DocumentModel& model, RotorModelAt rotor, QWidget* pa
   setWindowTitle(tr("Lumped coefficients of this propeller"));
   resize(900, 620);
   build();
+  form_->setEnabled(false);
+  table_->setProblem(tr("Working out the hover…"));
   for (const auto signal : {&DocumentModel::valueChanged, &DocumentModel::structureChanged}) {
     connect(&settings_, signal, this, [this] { result_.ask(); });
     // What is shown must be of the propeller that is there.
@@ -92,21 +94,40 @@ const LumpingRange& LumpedDialog::range() const {
 }
 
 LatestResult<LumpedDialog::Result>::Job LumpedDialog::prepare() const {
+  if (!ranged_) {
+    std::optional<Experiment> experiment;
+    if (model_.root().type == &schema::typeOf<Experiment>()) experiment = model_.as<Experiment>();
+    return [experiment, rotor = rotor_] {
+      Result result;
+      try {
+        result.first = firstRange(experiment, rotor);
+      } catch (const std::exception& error) {
+        result.problem = QString::fromUtf8(error.what());
+      }
+      return result;
+    };
+  }
   for (const Problem& problem : schema::validate(settings_.root())) {
     if (problem.warning) continue;
-    return [text = QString::fromStdString(problem.message())] { return Result{{}, {}, text}; };
+    return [text = QString::fromStdString(problem.message())] { return Result{{}, {}, {}, text}; };
   }
   return [model = rotor_.model, at = range()] {
     try {
       const LumpedEquivalent lumped = lumpedEquivalent(model, at);
-      return Result{lumped, lumpingSheet(lumped, at), {}};
+      return Result{{}, lumped, lumpingSheet(lumped, at), {}};
     } catch (const std::exception& error) {
-      return Result{{}, {}, QString::fromUtf8(error.what())};
+      return Result{{}, {}, {}, QString::fromUtf8(error.what())};
     }
   };
 }
 
 void LumpedDialog::showResult(const Result& result) {
+  if (!ranged_) {
+    ranged_ = true;
+    form_->setEnabled(true);
+    if (result.first) settings_.replaceObject({}, capture(schema::ref(*result.first)), {});
+    if (result.problem.isEmpty()) return result_.ask();
+  }
   lumped_ = result.lumped;
   use_->setEnabled(lumped_.has_value());
   if (lumped_) {

@@ -29,6 +29,7 @@ class LumpedDialog : public QDialog {
 
  private:
   struct Result {
+    std::optional<LumpingRange> first;  ///< what the form begins with
     std::optional<LumpedEquivalent> lumped;
     FigureSheet figures;
     QString problem;
@@ -49,6 +50,7 @@ class LumpedDialog : public QDialog {
   ParameterForm* form_;
   FigureTable* table_;
   QPushButton* use_ = nullptr;
+  bool ranged_ = false;  ///< the form has what it begins with
   std::optional<LumpedEquivalent> lumped_;
   LatestResult<Result> result_;
 };
