@@ -7,6 +7,7 @@
 
 #include "sim/core/constants.h"
 #include "sim/core/parallel.h"
+#include "sim/propulsion/rotor/lane_rotor.h"
 
 namespace rotorbench {
 
@@ -83,6 +84,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
 void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                                 const PropellerMapSettings& settings) {
   const double logRange = lastRow_ / rowsPerLog_;
+  const LaneRotor lanes(rotor, settings.leastReynolds, settings.mostReynolds);
   const auto direction = [&](const GridPlace& p) { return (p[0] - 0.5) * kPi; };
   const auto sideAngle = [&](const GridPlace& p) { return p[1] * kPi / 2; };
   const auto logReynolds = [&](const GridPlace& p) { return leastLogReynolds_ + p[2] * logRange; };
@@ -93,13 +95,13 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                           axis(settings.sideAngles, settings.sideRefinements, true),
                           axis(settings.sideReynoldsNumbers, 0, false)},
                          sideTolerance(settings.sideTolerance), [&](const GridPlace& p) {
-                           return sideAt(rotor, direction(p), sideAngle(p), logReynolds(p));
+                           return sideAt(lanes, direction(p), sideAngle(p), logReynolds(p));
                          });
   sideSolved_ = grid.solved();
   side_ = CubicTable(grid);
 }
 
-GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction, double sideAngle,
+GridValues PropellerMap::sideAt(const LaneRotor& rotor, double direction, double sideAngle,
                                 double logReynolds) const {
   // Of what is divided by the sine the limit is wanted at no in-plane speed: so small an angle is
   // near enough, the values being even in it.

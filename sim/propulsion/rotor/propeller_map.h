@@ -48,6 +48,8 @@ struct ThrustAndTorqueOf {
 };
 using ThrustAndTorque = ThrustAndTorqueOf<double>;
 
+class LaneRotor;
+
 class PropellerMap {
  public:
   explicit PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings = {});
@@ -127,8 +129,8 @@ class PropellerMap {
 
   void tabulateAxial(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
   void tabulateSide(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
-  [[nodiscard]] GridValues sideAt(const BladeElementRotor& rotor, double direction,
-                                  double sideAngle, double logReynolds) const;
+  [[nodiscard]] GridValues sideAt(const LaneRotor& rotor, double direction, double sideAngle,
+                                  double logReynolds) const;
   [[nodiscard]] GridValues sideTolerance(double share) const;
   void extrapolateEdges(std::size_t rows);
 
