@@ -3,10 +3,10 @@
 // what a lane does not need it works out all the same.
 #pragma once
 
-#include <algorithm>
-#include <bit>
+#include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 
 #include "sim/propulsion/rotor/inflow_root.h"
 #include "sim/propulsion/rotor/momentum_inflow.h"
@@ -42,6 +42,20 @@ inline bool any(LaneBits b) {
   std::int32_t all = 0;
   for (int l = 0; l < kLanes; ++l) all |= b[l];
   return all != 0;
+}
+
+/// Four numbers from each of four places, the first ones in out[0] and so on.
+inline void gather(const std::array<const float*, kLanes>& places, Lanes (&out)[4]) {
+  Lanes r[kLanes];
+  for (std::size_t l = 0; l < kLanes; ++l) std::memcpy(&r[l], places[l], sizeof r[l]);
+  const Lanes a = __builtin_shufflevector(r[0], r[1], 0, 4, 1, 5),
+              b = __builtin_shufflevector(r[2], r[3], 0, 4, 1, 5),
+              c = __builtin_shufflevector(r[0], r[1], 2, 6, 3, 7),
+              d = __builtin_shufflevector(r[2], r[3], 2, 6, 3, 7);
+  out[0] = __builtin_shufflevector(a, b, 0, 1, 4, 5);
+  out[1] = __builtin_shufflevector(a, b, 2, 3, 6, 7);
+  out[2] = __builtin_shufflevector(c, d, 0, 1, 4, 5);
+  out[3] = __builtin_shufflevector(c, d, 2, 3, 6, 7);
 }
 
 /// e^x for x from -80 to 0, to 2e-7 of it.

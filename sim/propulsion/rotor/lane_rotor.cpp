@@ -19,6 +19,14 @@ struct Stream {
   struct Cell {
     LaneBits index;
     Lanes fraction, square;
+
+    [[nodiscard]] std::array<const float*, kLanes> from(
+        const std::array<const float*, kLanes>& rows, int numbers) const {
+      std::array<const float*, kLanes> places;
+      for (int l = 0; l < kLanes; ++l)
+        places[static_cast<std::size_t>(l)] = rows[static_cast<std::size_t>(l)] + numbers * index[l];
+      return places;
+    }
   };
   [[nodiscard]] Cell locate(Lanes induced, Lanes swirl, float azimuth) const {
     const Lanes a = axial + induced, t = turning - swirl - inPlane * azimuth;
@@ -36,13 +44,10 @@ struct Stream {
     Lanes sum{};
     for (const float azimuth : azimuths) {
       const Cell cell = locate(v, swirl, azimuth);
-      Lanes a, b, c, d;
-      for (int l = 0; l < kLanes; ++l) {
-        const float* at = lift[static_cast<std::size_t>(l)] + cell.index[l];
-        a[l] = at[0], b[l] = at[1];
-        c[l] = at[SectionTable::kStride], d[l] = at[SectionTable::kStride + 1];
-      }
-      const Lanes low = a + cell.fraction * (b - a), high = c + cell.fraction * (d - c);
+      Lanes at[4];
+      lane::gather(cell.from(lift, 2), at);
+      const Lanes low = at[0] + cell.fraction * (at[2] - at[0]);
+      const Lanes high = at[1] + cell.fraction * (at[3] - at[1]);
       sum += cell.square * (low + rowWeight * (high - low));
     }
     return sum * hoverFactor;
@@ -153,9 +158,16 @@ Lanes inflow(const Stream& stream, const RootRule& rule) {
     }
     Samples samples;
     constexpr int kBefore = ResidualSamples::kBefore;
-    for (int i = rule.softness > 0 ? 0 : kBefore; i < kBefore + ResidualSamples::kSteps; ++i)
-      samples[static_cast<std::size_t>(i)] =
-          i == kBefore ? atZero : stream.residual(placeOf(end, i));
+    constexpr int kLast = kBefore + ResidualSamples::kSteps;
+    const int first = rule.softness > 0 ? 0 : kBefore;
+    // Apart, so that the processor may work on several samples at once.
+    for (int i = first; i < kLast; ++i)
+      samples[static_cast<std::size_t>(i)] = stream.hover(placeOf(end, i));
+    for (int i = first; i < kLast; ++i) {
+      Lanes& r = samples[static_cast<std::size_t>(i)];
+      r = placeOf(end, i) - lane::momentum(r, stream.axial, stream.inPlane);
+    }
+    samples[kBefore] = atZero;
     samples.back() = atEnd;
     const auto share = static_cast<float>(rule.softness);
     const Lanes blurred = share > 0 ? soft(end, samples) : Lanes{};
@@ -178,16 +190,14 @@ LaneLoads loadsAt(const Stream& stream, Lanes v) {
     Lanes weight[4];
     catmullRom(cell.fraction, weight);
     Lanes thrust{}, against{};
+    auto places = cell.from(stream.loads, 4);
+    for (const float*& place : places) place -= 4;
     for (int k = 0; k < 4; ++k) {
-      Lanes a, b, c, d;
-      for (int l = 0; l < kLanes; ++l) {
-        const float* low =
-            stream.loads[static_cast<std::size_t>(l)] + 2 * (cell.index[l] + k - 1);
-        const float* high = low + 2 * SectionTable::kStride;
-        a[l] = low[0], b[l] = low[1], c[l] = high[0], d[l] = high[1];
-      }
-      thrust += weight[k] * (a + stream.rowWeight * (c - a));
-      against += weight[k] * (b + stream.rowWeight * (d - b));
+      Lanes at[4];
+      lane::gather(places, at);
+      for (const float*& place : places) place += 4;
+      thrust += weight[k] * (at[0] + stream.rowWeight * (at[2] - at[0]));
+      against += weight[k] * (at[1] + stream.rowWeight * (at[3] - at[1]));
     }
     thrust *= cell.square, against *= cell.square;
     sum.thrust += thrust;

@@ -11,7 +11,7 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kRowsPerLog = 5;
+constexpr double kRowsPerLog = 10;
 
 /// Unit vector (cosine, sine) at a place of the table, in cells.
 std::array<double, 2> directionAt(int cell) {
@@ -38,7 +38,7 @@ SectionTable::SectionTable(const BladeElementRotor& rotor, double leastReynolds,
   rows_ = static_cast<std::size_t>(
               std::ceil(std::log(mostReynolds / leastReynolds * widest) * kRowsPerLog)) +
           1;
-  lift_.resize(annuli.size() * rows_ * kStride);
+  lift_.resize(2 * annuli.size() * rows_ * kStride);
   loads_.resize(2 * lift_.size());
   freeSlope_.resize(annuli.size() * rows_);
   inParallel(annuli.size(), [&](std::size_t i) {
@@ -59,14 +59,17 @@ SectionTable::SectionTable(const BladeElementRotor& rotor, double leastReynolds,
       const double zero = rotor.sections(
           e, std::exp(least_[i] + static_cast<double>(r) / kRowsPerLog), alpha, c);
       freeSlope_[row] = static_cast<float>(std::tan(e.twist - zero));
-      float* loads = &loads_[2 * row * kStride];
-      for (std::size_t k = 0; k < kPoints; ++k) {
-        loads[2 * k] = static_cast<float>(c[k].lift * cosine[k] - c[k].drag * sine[k]);
-        loads[2 * k + 1] = static_cast<float>(c[k].lift * sine[k] + c[k].drag * cosine[k]);
-      }
-      for (std::size_t k = 0; k + kBefore < kPoints; ++k) {
-        const std::size_t n = k + kBefore;
-        lift_[row * kStride + k] = static_cast<float>(c[n].lift * cosine[n] / loss[n]);
+      // Every row is the first of its own pair and the second of the one before it.
+      for (const std::size_t second : {std::size_t{0}, std::size_t{1}}) {
+        if (second > r) continue;
+        float* loads = &loads_[4 * (row - second) * kStride + 2 * second];
+        for (std::size_t k = 0; k < kPoints; ++k) {
+          loads[4 * k] = static_cast<float>(c[k].lift * cosine[k] - c[k].drag * sine[k]);
+          loads[4 * k + 1] = static_cast<float>(c[k].lift * sine[k] + c[k].drag * cosine[k]);
+        }
+        float* lift = &lift_[2 * (row - second) * kStride + second];
+        for (std::size_t k = kBefore; k < kPoints; ++k)
+          lift[2 * (k - kBefore)] = static_cast<float>(c[k].lift * cosine[k] / loss[k]);
       }
     }
     return 0;

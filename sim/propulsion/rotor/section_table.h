@@ -15,7 +15,7 @@ namespace rotorbench {
 
 class SectionTable {
  public:
-  static constexpr int kCells = 2048;  ///< of the whole circle
+  static constexpr int kCells = 512;  ///< of the whole circle
 
   /// `leastReynolds` to `mostReynolds`: of the tip radius and the air speed at 75 % of it.
   SectionTable(const BladeElementRotor& rotor, double leastReynolds, double mostReynolds);
@@ -28,19 +28,19 @@ class SectionTable {
   /// `logReynolds` of the annulus' own chord and speed.
   [[nodiscard]] Place at(std::size_t annulus, double logReynolds) const;
 
-  /// Lift times cos(phi) over the tip loss, from cell 0 on; the next row is kStride further.
-  [[nodiscard]] const float* lift(std::size_t row) const { return &lift_[row * kStride]; }
-  /// Thrust and torque coefficients, alternating; the next row is 2 kStride further. One cell more
-  /// than asked for lies on either side.
+  /// Lift times cos(phi) over the tip loss, in pairs of the row and the next one, from cell 0 on.
+  [[nodiscard]] const float* lift(std::size_t row) const { return &lift_[2 * row * kStride]; }
+  /// Thrust and torque coefficients of the row, then of the next one. One cell more than asked for
+  /// lies on either side.
   [[nodiscard]] const float* loads(std::size_t row) const {
-    return &loads_[2 * (row * kStride + 1)];
+    return &loads_[4 * (row * kStride + 1)];
   }
   /// Tangent of the inflow angle at which there is no lift.
   [[nodiscard]] float freeSlope(std::size_t row) const { return freeSlope_[row]; }
 
+ private:
   static constexpr std::size_t kStride = kCells + 8;  // no power of two: rows share no cache lines
 
- private:
   std::vector<float> lift_, loads_, freeSlope_;
   std::vector<double> least_;  // ln Re of every annulus' first row
   std::size_t rows_ = 0;       // of one annulus
