@@ -113,7 +113,15 @@ void RefinedGrid::spread(std::vector<float>& field, std::size_t axis) const {
   }
 }
 
+/// An axis that is never refined; kGridAxes if there is none.
+std::size_t RefinedGrid::calmAxis() const {
+  std::size_t axis = 0;
+  while (axis < kGridAxes && axes_[axis].refinements > 0) ++axis;
+  return axis;
+}
+
 void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const Solve& solve) {
+  static const double kAlike = getenv("KA")?atof(getenv("KA")):1;
   constexpr float kLeastGain = 4;  // of half the spacing, see the header
   std::vector<float> field = surplus(axis, tolerance);
   for (std::size_t neighbour = 0; neighbour < kGridAxes; ++neighbour) {
@@ -122,7 +130,11 @@ void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const So
   RefinedGrid finer = *this;
   finer.points_[axis] = 2 * points_[axis] - 1;
   finer.values_.resize(values_.size() / points_[axis] * finer.points_[axis]);
-  std::vector<Index> open;
+  // Where the functions are known on both sides of a point along an axis that is not refined, and
+  // are alike off the cubics there, they need not be solved between them.
+  const std::size_t calm = calmAxis();
+  std::vector<Index> open, between;
+  std::vector<bool> wanted(finer.values_.size());
   for (std::size_t k = 0; k < finer.values_.size(); ++k) {
     const Index to = finer.indexOf(k);
     Index from = to;
@@ -133,16 +145,43 @@ void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const So
     }
     Index next = from;
     ++next[axis];
-    if (std::max(field[offset(from)], field[offset(next)]) > kLeastGain) {
-      open.push_back(to);
-    } else {
-      finer.values_[k] = midway(from, axis);
-    }
+    finer.values_[k] = midway(from, axis);
+    if (std::max(field[offset(from)], field[offset(next)]) <= kLeastGain) continue;
+    wanted[k] = true;
+    (calm < kGridAxes && to[calm] % 2 == 1 ? between : open).push_back(to);
   }
-  const auto values =
-      inParallel(open.size(), [&](std::size_t k) { return solve(finer.place(open[k])); });
-  for (std::size_t k = 0; k < open.size(); ++k) finer.at(open[k]) = values[k];
-  finer.solved_ += open.size();
+  std::vector<GridValues> surpluses(finer.values_.size());
+  const auto solveAll = [&](const std::vector<Index>& points) {
+    const auto values =
+        inParallel(points.size(), [&](std::size_t k) { return solve(finer.place(points[k])); });
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      for (std::size_t q = 0; q < kGridValues; ++q)
+        surpluses[finer.offset(points[k])][q] = values[k][q] - finer.at(points[k])[q];
+      finer.at(points[k]) = values[k];
+    }
+    finer.solved_ += points.size();
+  };
+  solveAll(open);
+  std::vector<Index> left;
+  for (const Index& i : between) {
+    Index before = i, after = i;
+    --before[calm];
+    if (++after[calm] >= points_[calm] || !wanted[finer.offset(before)] ||
+        !wanted[finer.offset(after)]) {
+      left.push_back(i);
+      continue;
+    }
+    const GridValues &a = surpluses[finer.offset(before)], &b = surpluses[finer.offset(after)];
+    double apart = 0;
+    for (std::size_t q = 0; q < kGridValues; ++q)
+      apart = std::max(apart, std::abs(a[q] - b[q]) / tolerance[q]);
+    if (apart > kAlike) {
+      left.push_back(i);
+      continue;
+    }
+    for (std::size_t q = 0; q < kGridValues; ++q) finer.at(i)[q] += (a[q] + b[q]) / 2;
+  }
+  solveAll(left);
   *this = std::move(finer);
 }
 

@@ -52,6 +52,7 @@ class RefinedGrid {
   [[nodiscard]] Index indexOf(std::size_t offset) const;
   [[nodiscard]] GridValues midway(const Index& i, std::size_t axis) const;
   [[nodiscard]] std::vector<float> surplus(std::size_t axis, const GridValues& tolerance) const;
+  [[nodiscard]] std::size_t calmAxis() const;
   void spread(std::vector<float>& field, std::size_t axis) const;
   void refine(std::size_t axis, const GridValues& tolerance, const Solve& solve);
 

@@ -11,6 +11,48 @@
 
 namespace rotorbench {
 
+namespace {
+
+/// Fills a row of equal steps: every fourth value is solved, and those between where the row bends.
+template <class Solve>
+void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
+  const std::size_t last = row.size() - 1, coarse = last % 4 == 0 ? 4 : 1;
+  for (std::size_t k = 0; k <= last; k += coarse) solve(k);
+  ThrustAndTorque most;
+  for (std::size_t k = 0; k <= last; k += coarse) {
+    most.thrust = std::max(most.thrust, std::abs(row[k].thrust));
+    most.torque = std::max(most.torque, std::abs(row[k].torque));
+  }
+  // Midway between two points: the cubic through the four points around them.
+  const auto middle = [&row](std::size_t k, std::size_t step) {
+    const auto mean = [&](double ThrustAndTorque::* v) {
+      return (9 * (row[k - step].*v + row[k + step].*v) -
+              (row[k - 3 * step].*v + row[k + 3 * step].*v)) / 16;
+    };
+    return ThrustAndTorque{mean(&ThrustAndTorque::thrust), mean(&ThrustAndTorque::torque)};
+  };
+  static const double kTolerance = getenv("KX")?atof(getenv("KX")):1e-4;
+  const auto bends = [&](std::size_t k, std::size_t step) {
+    if (k < 3 * step || k + 3 * step > last) return true;
+    const ThrustAndTorque m = middle(k, step);
+    return std::abs(m.thrust - row[k].thrust) > kTolerance * most.thrust ||
+           std::abs(m.torque - row[k].torque) > kTolerance * most.torque;
+  };
+  for (std::size_t step = coarse / 2; step > 0; step /= 2) {
+    std::vector<bool> bent(row.size());
+    for (std::size_t k = 0; k <= last; k += 2 * step) bent[k] = bends(k, 2 * step);
+    for (std::size_t k = step; k < last; k += 2 * step) {
+      if (bent[k - step] || bent[k + step]) {
+        solve(k);
+      } else {
+        row[k] = middle(k, step);
+      }
+    }
+  }
+}
+
+}  // namespace
+
 PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings) {
   setScales(rotor, settings);
   tabulateAxial(rotor, settings);
@@ -66,14 +108,15 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
     const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / rowsPerLog_);
     const double speed = reynolds * air.viscosity / (air.density * radius_);
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
-    for (std::size_t k = 0; k < directions; ++k) {
+    const auto solve = [&](std::size_t k) {
       const double chi = static_cast<double>(k) / directionsPerAngle_ - kPi / 2;
       // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant
       // below it.
       const double omega = std::fmax(0, speed * std::cos(chi) / (kReferenceRadius * radius_));
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
       row[k] = {load.thrust * scale, load.torque * scale / radius_};
-    }
+    };
+    fillRow(row, solve);
     return row;
   });
   for (std::size_t i = 0; i < rows; ++i)
@@ -93,7 +136,7 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
   };
   const RefinedGrid grid({axis(settings.sideDirections, settings.sideRefinements, false),
                           axis(settings.sideAngles, settings.sideRefinements, true),
-                          axis(settings.sideReynoldsNumbers, 0, false)},
+                          axis(getenv("NZ")?atoi(getenv("NZ")):settings.sideReynoldsNumbers, getenv("RZ")?atoi(getenv("RZ")):0, false)},
                          sideTolerance(settings.sideTolerance), [&](const GridPlace& p) {
                            return sideAt(lanes, direction(p), sideAngle(p), logReynolds(p));
                          });
@@ -136,7 +179,7 @@ GridValues PropellerMap::sideTolerance(double share) const {
       axialCoefficients(0.0, leastLogReynolds_ + 0.5 * lastRow_ / rowsPerLog_);
   const double thrust = share * std::fmax(std::abs(still.thrust), kLeastPart * most.thrust);
   const double torque = share * std::fmax(std::abs(still.torque), kLeastPart * most.torque);
-  constexpr double kTorque = 5, kInPlane = 2;
+  static const double kTorque = getenv("KQ")?atof(getenv("KQ")):5, kInPlane = getenv("KH")?atof(getenv("KH")):2; if(getenv("KT"))share=atof(getenv("KT"));
   // A propeller without blades to speak of has nothing to be refined.
   const auto positive = [](double x) { return x > 0 ? x : 1; };
   return {positive(thrust), positive(kTorque * torque), positive(kInPlane * thrust),
