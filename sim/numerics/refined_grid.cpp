@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/core/parallel.h"
 
@@ -113,15 +114,64 @@ void RefinedGrid::spread(std::vector<float>& field, std::size_t axis) const {
   }
 }
 
-/// An axis that is never refined; kGridAxes if there is none.
-std::size_t RefinedGrid::calmAxis() const {
-  std::size_t axis = 0;
-  while (axis < kGridAxes && axes_[axis].refinements > 0) ++axis;
-  return axis;
+/// Solves the given points, which hold the cubic's values so far. Along an axis that is never
+/// refined only every fourth of them at first: where two neighbours there are off their cubics by
+/// the same, to the tolerance, the one between them is so too.
+void RefinedGrid::settle(const std::vector<Index>& open, const GridValues& tolerance,
+                         const Solve& solve) {
+  constexpr std::size_t kFirst = 4;
+  std::size_t calm = 0;
+  while (calm < kGridAxes && axes_[calm].refinements > 0) ++calm;
+  std::vector<GridValues> surpluses(values_.size());
+  std::vector<bool> known(values_.size());
+  const auto add = [&](const Index& i, const GridValues& surplus) {
+    for (std::size_t q = 0; q < kGridValues; ++q) at(i)[q] += surplus[q];
+    surpluses[offset(i)] = surplus;
+    known[offset(i)] = true;
+  };
+  const auto solveAll = [&](const std::vector<Index>& points) {
+    const auto values =
+        inParallel(points.size(), [&](std::size_t k) { return solve(place(points[k])); });
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      GridValues surplus = values[k];
+      for (std::size_t q = 0; q < kGridValues; ++q) surplus[q] -= at(points[k])[q];
+      add(points[k], surplus);
+    }
+    solved_ += points.size();
+  };
+  if (calm == kGridAxes) return solveAll(open);
+  std::vector<Index> now;
+  std::ranges::copy_if(open, std::back_inserter(now),
+                       [&](const Index& i) { return i[calm] % kFirst == 0; });
+  solveAll(now);
+  for (std::size_t stride = kFirst / 2; stride > 0; stride /= 2) {
+    now.clear();
+    for (const Index& i : open) {
+      if (i[calm] % (2 * stride) != stride) continue;
+      Index before = i, after = i;
+      before[calm] -= stride;
+      after[calm] += stride;
+      const bool inside =
+          after[calm] < points_[calm] && known[offset(before)] && known[offset(after)];
+      const GridValues &a = surpluses[offset(before)],
+                       &b = surpluses[inside ? offset(after) : offset(before)];
+      GridValues mean{};
+      bool alike = inside;
+      for (std::size_t q = 0; q < kGridValues; ++q) {
+        mean[q] = (a[q] + b[q]) / 2;
+        alike = alike && std::abs(a[q] - b[q]) <= tolerance[q];
+      }
+      if (alike) {
+        add(i, mean);
+      } else {
+        now.push_back(i);
+      }
+    }
+    solveAll(now);
+  }
 }
 
 void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const Solve& solve) {
-  static const double kAlike = getenv("KA")?atof(getenv("KA")):1;
   constexpr float kLeastGain = 4;  // of half the spacing, see the header
   std::vector<float> field = surplus(axis, tolerance);
   for (std::size_t neighbour = 0; neighbour < kGridAxes; ++neighbour) {
@@ -130,11 +180,7 @@ void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const So
   RefinedGrid finer = *this;
   finer.points_[axis] = 2 * points_[axis] - 1;
   finer.values_.resize(values_.size() / points_[axis] * finer.points_[axis]);
-  // Where the functions are known on both sides of a point along an axis that is not refined, and
-  // are alike off the cubics there, they need not be solved between them.
-  const std::size_t calm = calmAxis();
-  std::vector<Index> open, between;
-  std::vector<bool> wanted(finer.values_.size());
+  std::vector<Index> open;
   for (std::size_t k = 0; k < finer.values_.size(); ++k) {
     const Index to = finer.indexOf(k);
     Index from = to;
@@ -146,42 +192,9 @@ void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const So
     Index next = from;
     ++next[axis];
     finer.values_[k] = midway(from, axis);
-    if (std::max(field[offset(from)], field[offset(next)]) <= kLeastGain) continue;
-    wanted[k] = true;
-    (calm < kGridAxes && to[calm] % 2 == 1 ? between : open).push_back(to);
+    if (std::max(field[offset(from)], field[offset(next)]) > kLeastGain) open.push_back(to);
   }
-  std::vector<GridValues> surpluses(finer.values_.size());
-  const auto solveAll = [&](const std::vector<Index>& points) {
-    const auto values =
-        inParallel(points.size(), [&](std::size_t k) { return solve(finer.place(points[k])); });
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      for (std::size_t q = 0; q < kGridValues; ++q)
-        surpluses[finer.offset(points[k])][q] = values[k][q] - finer.at(points[k])[q];
-      finer.at(points[k]) = values[k];
-    }
-    finer.solved_ += points.size();
-  };
-  solveAll(open);
-  std::vector<Index> left;
-  for (const Index& i : between) {
-    Index before = i, after = i;
-    --before[calm];
-    if (++after[calm] >= points_[calm] || !wanted[finer.offset(before)] ||
-        !wanted[finer.offset(after)]) {
-      left.push_back(i);
-      continue;
-    }
-    const GridValues &a = surpluses[finer.offset(before)], &b = surpluses[finer.offset(after)];
-    double apart = 0;
-    for (std::size_t q = 0; q < kGridValues; ++q)
-      apart = std::max(apart, std::abs(a[q] - b[q]) / tolerance[q]);
-    if (apart > kAlike) {
-      left.push_back(i);
-      continue;
-    }
-    for (std::size_t q = 0; q < kGridValues; ++q) finer.at(i)[q] += (a[q] + b[q]) / 2;
-  }
-  solveAll(left);
+  finer.settle(open, tolerance, solve);
   *this = std::move(finer);
 }
 

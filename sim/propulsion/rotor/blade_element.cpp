@@ -161,8 +161,7 @@ void BladeElementRotor::withCurve(const Element& e, double reynolds, const Use& 
   use(BlendedCurve<Curve>{any(sections_[e.section]), any(sections_[e.section + 1]), e.weight});
 }
 
-double BladeElementRotor::sections(const Element& e, double reynolds,
-                                   std::span<const double> alpha,
+double BladeElementRotor::sections(const Element& e, double reynolds, std::span<const double> alpha,
                                    std::span<SectionCoefficients> coefficients) const {
   double zero = 0;
   withCurve(e, reynolds, [&](const auto& curve) {

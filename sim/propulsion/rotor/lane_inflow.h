@@ -64,7 +64,8 @@ inline Lanes expDown(Lanes x) {
   const LaneBits n = __builtin_convertvector(x * kLog2 - 0.5F, LaneBits);
   const Lanes k = __builtin_convertvector(n, Lanes), r = x - k * kHigh - k * kLow;
   const Lanes p =
-      1.F + r * (1.F + r * (1.F / 2 + r * (1.F / 6 + r * (1.F / 24 + r * (1.F / 120 + r * (1.F / 720))))));
+      1.F + r * (1.F + r * (1.F / 2 +
+                            r * (1.F / 6 + r * (1.F / 24 + r * (1.F / 120 + r * (1.F / 720))))));
   return p * reinterpret_cast<Lanes>((n + 127) << 23);
 }
 

@@ -24,7 +24,8 @@ struct Stream {
         const std::array<const float*, kLanes>& rows, int numbers) const {
       std::array<const float*, kLanes> places;
       for (int l = 0; l < kLanes; ++l)
-        places[static_cast<std::size_t>(l)] = rows[static_cast<std::size_t>(l)] + numbers * index[l];
+        places[static_cast<std::size_t>(l)] =
+            rows[static_cast<std::size_t>(l)] + numbers * index[l];
       return places;
     }
   };
@@ -72,8 +73,8 @@ Lanes bracketed(const Stream& stream, Lanes a, Lanes fa, Lanes b, Lanes fb) {
     if (!lane::any((lane::size(fa) > tolerance) & (width > 2.F * tolerance))) break;
     const Lanes least = lane::least(tolerance / (width + lane::kTiny), half);
     const Lanes xi = (a - b) / (c - b), ratio = (fa - fb) / (fc - fb);
-    const Lanes quadratic = fa / (fb - fa) * fc / (fb - fc) +
-                            (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
+    const Lanes quadratic =
+        fa / (fb - fa) * fc / (fb - fc) + (c - a) / (b - a) * fa / (fc - fa) * fb / (fc - fb);
     const LaneBits safe = (ratio * ratio < xi) & ((1.F - ratio) * (1.F - ratio) < 1.F - xi);
     t = lane::least(lane::most(safe ? quadratic : half, least), 1.F - least);
   }
@@ -139,8 +140,7 @@ Lanes inflow(const Stream& stream, const RootRule& rule) {
   Lanes end = atZero < 0.F ? size : -size, atEnd = stream.residual(end);
   Lanes shorter = end, atShorter = atEnd;
   for (int i = 0; i < 60; ++i) {
-    const LaneBits more =
-        ((atEnd > 0.F) == (atZero > 0.F)) & (atEnd != 0.F) & (atZero != 0.F);
+    const LaneBits more = ((atEnd > 0.F) == (atZero > 0.F)) & (atEnd != 0.F) & (atZero != 0.F);
     if (!lane::any(more)) break;
     shorter = more ? end : shorter, atShorter = more ? atEnd : atShorter;
     end = more ? kGrowth * end : end;
@@ -230,8 +230,9 @@ LaneRotor::LaneRotor(const BladeElementRotor& rotor, double leastReynolds, doubl
       block.hoverFactor[k] =
           real ? static_cast<float>(e.solidity / (4 * rotor.momentumFactor()) * share) : 0;
       block.area[k] =
-          real ? static_cast<float>(rotor.blades() * e.chord * e.width / (radius_ * radius_) * share)
-               : 0;
+          real
+              ? static_cast<float>(rotor.blades() * e.chord * e.width / (radius_ * radius_) * share)
+              : 0;
     }
     blocks_.push_back(block);
   }
@@ -241,9 +242,8 @@ ObliqueLoad LaneRotor::oblique(double omega, double axialSpeed, double inPlaneSp
                                const AirState& air) const {
   const double tip = omega * radius_;
   const double speed = std::sqrt(tip * tip + axialSpeed * axialSpeed + inPlaneSpeed * inPlaneSpeed);
-  const RootRule rule =
-      RootRule::at(advanceRatio(axialSpeed, std::hypot(tip, inPlaneSpeed)),
-                   inPlaneSpeed / std::max(tip, 1e-9 * speed));
+  const RootRule rule = RootRule::at(advanceRatio(axialSpeed, std::hypot(tip, inPlaneSpeed)),
+                                     inPlaneSpeed / std::max(tip, 1e-9 * speed));
   const double logReynolds = std::log(air.density * speed * radius_ / air.viscosity);
   Stream stream{};
   stream.azimuths = azimuths_;

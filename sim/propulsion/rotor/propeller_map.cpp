@@ -13,7 +13,8 @@ namespace rotorbench {
 
 namespace {
 
-/// Fills a row of equal steps: every fourth value is solved, and those between where the row bends.
+/// Fills a row of equal steps: every fourth value is solved, and those between where the row bends
+/// more than a cubic follows.
 template <class Solve>
 void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
   const std::size_t last = row.size() - 1, coarse = last % 4 == 0 ? 4 : 1;
@@ -25,18 +26,19 @@ void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
   }
   // Midway between two points: the cubic through the four points around them.
   const auto middle = [&row](std::size_t k, std::size_t step) {
-    const auto mean = [&](double ThrustAndTorque::* v) {
+    const auto mean = [&](double ThrustAndTorque::*v) {
       return (9 * (row[k - step].*v + row[k + step].*v) -
-              (row[k - 3 * step].*v + row[k + 3 * step].*v)) / 16;
+              (row[k - 3 * step].*v + row[k + 3 * step].*v)) /
+             16;
     };
     return ThrustAndTorque{mean(&ThrustAndTorque::thrust), mean(&ThrustAndTorque::torque)};
   };
-  static const double kTolerance = getenv("KX")?atof(getenv("KX")):1e-4;
+  constexpr double kThrust = 5e-5, kTorque = 2e-4;  // of the most in any direction
   const auto bends = [&](std::size_t k, std::size_t step) {
     if (k < 3 * step || k + 3 * step > last) return true;
     const ThrustAndTorque m = middle(k, step);
-    return std::abs(m.thrust - row[k].thrust) > kTolerance * most.thrust ||
-           std::abs(m.torque - row[k].torque) > kTolerance * most.torque;
+    return std::abs(m.thrust - row[k].thrust) > kThrust * most.thrust ||
+           std::abs(m.torque - row[k].torque) > kTorque * most.torque;
   };
   for (std::size_t step = coarse / 2; step > 0; step /= 2) {
     std::vector<bool> bent(row.size());
@@ -136,7 +138,7 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
   };
   const RefinedGrid grid({axis(settings.sideDirections, settings.sideRefinements, false),
                           axis(settings.sideAngles, settings.sideRefinements, true),
-                          axis(getenv("NZ")?atoi(getenv("NZ")):settings.sideReynoldsNumbers, getenv("RZ")?atoi(getenv("RZ")):0, false)},
+                          axis(settings.sideReynoldsNumbers, 0, false)},
                          sideTolerance(settings.sideTolerance), [&](const GridPlace& p) {
                            return sideAt(lanes, direction(p), sideAngle(p), logReynolds(p));
                          });
@@ -166,7 +168,7 @@ GridValues PropellerMap::sideAt(const LaneRotor& rotor, double direction, double
   return values;
 }
 
-/// `share` of the static thrust and five times that of the static torque. Of a blade that hardly
+/// `share` of the static thrust and ten times that of the static torque. Of a blade that hardly
 /// lifts at rest, of a part of the most it does in any direction.
 GridValues PropellerMap::sideTolerance(double share) const {
   constexpr double kLeastPart = 0.05;
@@ -179,7 +181,7 @@ GridValues PropellerMap::sideTolerance(double share) const {
       axialCoefficients(0.0, leastLogReynolds_ + 0.5 * lastRow_ / rowsPerLog_);
   const double thrust = share * std::fmax(std::abs(still.thrust), kLeastPart * most.thrust);
   const double torque = share * std::fmax(std::abs(still.torque), kLeastPart * most.torque);
-  static const double kTorque = getenv("KQ")?atof(getenv("KQ")):5, kInPlane = getenv("KH")?atof(getenv("KH")):2; if(getenv("KT"))share=atof(getenv("KT"));
+  constexpr double kTorque = 10, kInPlane = 4;
   // A propeller without blades to speak of has nothing to be refined.
   const auto positive = [](double x) { return x > 0 ? x : 1; };
   return {positive(thrust), positive(kTorque * torque), positive(kInPlane * thrust),
@@ -238,7 +240,7 @@ void Describe<PropellerMapSettings>::fields(schema::Builder<PropellerMapSettings
       .advanced();
   b.number("sideTolerance", &S::sideTolerance, "Tolerance in edgewise flow", "", "1")
       .range(schema::atLeast(1e-5), schema::upTo(1))
-      .help("Of the static thrust; five times that of the static torque.")
+      .help("Of the static thrust; ten times that of the static torque.")
       .advanced();
   b.check([](const S& s, std::vector<Problem>& problems) {
     constexpr double kMostPoints = 4e6;

@@ -56,8 +56,8 @@ SectionTable::SectionTable(const BladeElementRotor& rotor, double leastReynolds,
     }
     for (std::size_t r = 0; r < rows_; ++r) {
       const std::size_t row = i * rows_ + r;
-      const double zero = rotor.sections(
-          e, std::exp(least_[i] + static_cast<double>(r) / kRowsPerLog), alpha, c);
+      const double zero =
+          rotor.sections(e, std::exp(least_[i] + static_cast<double>(r) / kRowsPerLog), alpha, c);
       freeSlope_[row] = static_cast<float>(std::tan(e.twist - zero));
       // Every row is the first of its own pair and the second of the one before it.
       for (const std::size_t second : {std::size_t{0}, std::size_t{1}}) {
