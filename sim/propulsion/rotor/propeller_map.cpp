@@ -14,9 +14,11 @@ namespace rotorbench {
 namespace {
 
 /// Fills a row of equal steps: every fourth value is solved, and those between where the row bends
-/// more than a cubic follows.
+/// more than a cubic follows. All are solved between two points where kinks come so close that the
+/// coarse steps would miss some.
 template <class Solve>
-void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
+void fillRow(std::vector<ThrustAndTorque>& row, std::size_t kinksFrom, std::size_t kinksTo,
+             const Solve& solve) {
   const std::size_t last = row.size() - 1, coarse = last % 4 == 0 ? 4 : 1;
   for (std::size_t k = 0; k <= last; k += coarse) solve(k);
   ThrustAndTorque most;
@@ -33,8 +35,9 @@ void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
     };
     return ThrustAndTorque{mean(&ThrustAndTorque::thrust), mean(&ThrustAndTorque::torque)};
   };
-  constexpr double kThrust = 5e-5, kTorque = 2e-4;  // of the most in any direction
+  constexpr double kThrust = 1e-4, kTorque = 2.5e-4;  // of the most in any direction
   const auto bends = [&](std::size_t k, std::size_t step) {
+    if (k >= kinksFrom && k <= kinksTo) return true;
     if (k < 3 * step || k + 3 * step > last) return true;
     const ThrustAndTorque m = middle(k, step);
     return std::abs(m.thrust - row[k].thrust) > kThrust * most.thrust ||
@@ -44,7 +47,9 @@ void fillRow(std::vector<ThrustAndTorque>& row, const Solve& solve) {
     std::vector<bool> bent(row.size());
     for (std::size_t k = 0; k <= last; k += 2 * step) bent[k] = bends(k, 2 * step);
     for (std::size_t k = step; k < last; k += 2 * step) {
-      if (bent[k - step] || bent[k + step]) {
+      // Of all four points the cubic leans on: a kink may hide from the nearest ones.
+      if (k < 3 * step || k + 3 * step > last || bent[k - step] || bent[k + step] ||
+          bent[k - 3 * step] || bent[k + 3 * step]) {
         solve(k);
       } else {
         row[k] = middle(k, step);
@@ -118,7 +123,12 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
       row[k] = {load.thrust * scale, load.torque * scale / radius_};
     };
-    fillRow(row, solve);
+    // From slow descent to where the annuli have left the ring one after the other.
+    constexpr double kKinksFrom = 30 * kDegree;
+    const auto place = [&](double chi) {
+      return static_cast<std::size_t>((chi + kPi / 2) * directionsPerAngle_);
+    };
+    fillRow(row, place(-kKinksFrom), place(0), solve);
     return row;
   });
   for (std::size_t i = 0; i < rows; ++i)
