@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "sim/core/parallel.h"
 
@@ -113,6 +114,63 @@ void RefinedGrid::spread(std::vector<float>& field, std::size_t axis) const {
   }
 }
 
+/// Solves the given points, which hold the cubic's values so far. Along an axis that is never
+/// refined only every fourth of them at first: where two neighbours there are off their cubics by
+/// the same, to the tolerance, the one between them is so too.
+void RefinedGrid::settle(const std::vector<Index>& open, const GridValues& tolerance,
+                         const Solve& solve) {
+  constexpr std::size_t kFirst = 4;
+  std::size_t calm = 0;
+  while (calm < kGridAxes && axes_[calm].refinements > 0) ++calm;
+  std::vector<GridValues> surpluses(values_.size());
+  std::vector<bool> known(values_.size());
+  const auto add = [&](const Index& i, const GridValues& surplus) {
+    for (std::size_t q = 0; q < kGridValues; ++q) at(i)[q] += surplus[q];
+    surpluses[offset(i)] = surplus;
+    known[offset(i)] = true;
+  };
+  const auto solveAll = [&](const std::vector<Index>& points) {
+    const auto values =
+        inParallel(points.size(), [&](std::size_t k) { return solve(place(points[k])); });
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      GridValues surplus = values[k];
+      for (std::size_t q = 0; q < kGridValues; ++q) surplus[q] -= at(points[k])[q];
+      add(points[k], surplus);
+    }
+    solved_ += points.size();
+  };
+  if (calm == kGridAxes) return solveAll(open);
+  std::vector<Index> now;
+  std::ranges::copy_if(open, std::back_inserter(now),
+                       [&](const Index& i) { return i[calm] % kFirst == 0; });
+  solveAll(now);
+  for (std::size_t stride = kFirst / 2; stride > 0; stride /= 2) {
+    now.clear();
+    for (const Index& i : open) {
+      if (i[calm] % (2 * stride) != stride) continue;
+      Index before = i, after = i;
+      before[calm] -= stride;
+      after[calm] += stride;
+      const bool inside =
+          after[calm] < points_[calm] && known[offset(before)] && known[offset(after)];
+      const GridValues &a = surpluses[offset(before)],
+                       &b = surpluses[inside ? offset(after) : offset(before)];
+      GridValues mean{};
+      bool alike = inside;
+      for (std::size_t q = 0; q < kGridValues; ++q) {
+        mean[q] = (a[q] + b[q]) / 2;
+        alike = alike && std::abs(a[q] - b[q]) <= tolerance[q];
+      }
+      if (alike) {
+        add(i, mean);
+      } else {
+        now.push_back(i);
+      }
+    }
+    solveAll(now);
+  }
+}
+
 void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const Solve& solve) {
   constexpr float kLeastGain = 4;  // of half the spacing, see the header
   std::vector<float> field = surplus(axis, tolerance);
@@ -133,16 +191,10 @@ void RefinedGrid::refine(std::size_t axis, const GridValues& tolerance, const So
     }
     Index next = from;
     ++next[axis];
-    if (std::max(field[offset(from)], field[offset(next)]) > kLeastGain) {
-      open.push_back(to);
-    } else {
-      finer.values_[k] = midway(from, axis);
-    }
+    finer.values_[k] = midway(from, axis);
+    if (std::max(field[offset(from)], field[offset(next)]) > kLeastGain) open.push_back(to);
   }
-  const auto values =
-      inParallel(open.size(), [&](std::size_t k) { return solve(finer.place(open[k])); });
-  for (std::size_t k = 0; k < open.size(); ++k) finer.at(open[k]) = values[k];
-  finer.solved_ += open.size();
+  finer.settle(open, tolerance, solve);
   *this = std::move(finer);
 }
 

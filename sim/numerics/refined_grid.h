@@ -1,5 +1,6 @@
 // Four functions of three coordinates on a uniform grid, solved only where interpolation between
 // points already solved would not do: first a coarse grid, then one axis after the other is halved.
+// Along an axis that is never refined a solution between two others is often spared (settle()).
 // A new point is solved if a point nearby differs too much from the cubic through its neighbours,
 // and interpolated by that cubic if not. A cubic's error falls 16-fold with half the spacing where
 // the functions are smooth, and still about 4-fold at the kinks of a stall.
@@ -53,6 +54,7 @@ class RefinedGrid {
   [[nodiscard]] GridValues midway(const Index& i, std::size_t axis) const;
   [[nodiscard]] std::vector<float> surplus(std::size_t axis, const GridValues& tolerance) const;
   void spread(std::vector<float>& field, std::size_t axis) const;
+  void settle(const std::vector<Index>& open, const GridValues& tolerance, const Solve& solve);
   void refine(std::size_t axis, const GridValues& tolerance, const Solve& solve);
 
   std::array<GridAxis, kGridAxes> axes_;

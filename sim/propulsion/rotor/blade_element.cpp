@@ -11,7 +11,6 @@ namespace rotorbench {
 
 namespace {
 
-constexpr double kLeastTipLoss = 1e-4;
 constexpr double kWarmBracket = 0.003;  // of the section's speed, around the last solution
 constexpr double kRingBegin = -0.5, kRingEnd = -2;  // of the hover induced velocity: Leishman 2.13
 
@@ -50,17 +49,6 @@ Flow flowAt(double induced, double swirl, double axialStream, double tangentialS
 Flow axialFlow(double induced, double axialStream, double tangentialStream) {
   return flowAt(induced, swirlOf(induced, axialStream, tangentialStream), axialStream,
                 tangentialStream);
-}
-
-/// V/(n D) from the axial and the tip's speed; far outside every table at a standstill.
-double advanceRatio(double axial, double tip) {
-  return kPi * axial / std::max(tip, 1e-9 * std::abs(axial) + std::numeric_limits<double>::min());
-}
-
-/// Prandtl's factor of the induced velocity lost around the tips.
-double tipLoss(double tipDistance, double sine) {
-  const double exponent = tipDistance / std::max(std::abs(sine), 1e-12);
-  return std::max(kLeastTipLoss, 2 / kPi * std::acos(std::exp(-exponent)));
 }
 
 /// Square of the induced velocity a section's lift would have in hover.
@@ -171,6 +159,16 @@ void BladeElementRotor::withCurve(const Element& e, double reynolds, const Use& 
     return std::visit([&](const auto& s) { return Curve(curve(s)); }, section);
   };
   use(BlendedCurve<Curve>{any(sections_[e.section]), any(sections_[e.section + 1]), e.weight});
+}
+
+double BladeElementRotor::sections(const Element& e, double reynolds, std::span<const double> alpha,
+                                   std::span<SectionCoefficients> coefficients) const {
+  double zero = 0;
+  withCurve(e, reynolds, [&](const auto& curve) {
+    std::ranges::transform(alpha, coefficients.begin(), [&](double a) { return curve.at(a); });
+    zero = curve.zeroLift();
+  });
+  return zero;
 }
 
 template <class Curve>

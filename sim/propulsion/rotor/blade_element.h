@@ -118,7 +118,6 @@ class BladeElementRotor {
   [[nodiscard]] double radius() const { return radius_; }
   [[nodiscard]] int elements() const { return static_cast<int>(elements_.size()); }
 
- private:
   /// One annulus: lengths in m.
   struct Element {
     double radius, width, chord, twist, twistSine, twistCosine;
@@ -128,6 +127,17 @@ class BladeElementRotor {
     std::size_t section;  // blended with the next by `weight`
     double weight;
   };
+  [[nodiscard]] const std::vector<Element>& annuli() const { return elements_; }
+  [[nodiscard]] double blades() const { return blades_; }
+  [[nodiscard]] double momentumFactor() const { return momentumFactor_; }
+  /// Sines of the azimuths oblique flow is averaged over.
+  [[nodiscard]] const std::vector<double>& azimuthSines() const { return azimuths_; }
+  /// Coefficients of an annulus at one Reynolds number and many angles of attack, rad; gives the
+  /// angle without lift.
+  double sections(const Element& element, double reynolds, std::span<const double> alpha,
+                  std::span<SectionCoefficients> coefficients) const;
+
+ private:
   using PreparedSection = std::variant<AnalyticSection, PreparedPolars>;
 
   void prepareDisc(const PropellerGeometry& geometry);

@@ -10,6 +10,7 @@
 #include <array>
 #include <limits>
 
+#include "sim/core/constants.h"
 #include "sim/numerics/bracketed_root.h"
 #include "sim/propulsion/rotor/analytic_section.h"
 
@@ -19,6 +20,11 @@ namespace rotorbench {
 inline double smoothStep(double x) {
   const double t = std::clamp(x, 0.0, 1.0);
   return t * t * (3 - 2 * t);
+}
+
+/// V/(n D) from the axial and the tip's speed; far outside every table at a standstill.
+inline double advanceRatio(double axial, double tip) {
+  return kPi * axial / std::max(tip, 1e-9 * std::abs(axial) + std::numeric_limits<double>::min());
 }
 
 /// How the root is taken, by the advance ratio J = V/(n D).

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Of the form of the files and of how a table is laid out and refined: goes up with either.
-constexpr const char* kForm = "rotorbench map 1\n";
+constexpr const char* kForm = "rotorbench map 2\n";
 constexpr const char* kSuffix = ".map";
 
 /// FNV-1a over 64 bits (Fowler, Noll, Vo).

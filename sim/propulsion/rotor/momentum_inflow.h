@@ -9,7 +9,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "sim/core/constants.h"
+
 namespace rotorbench {
+
+/// Prandtl's factor of the induced velocity lost around the tips, from B (R - r)/(2 r) and the sine
+/// of the inflow angle.
+inline double tipLoss(double tipDistance, double sine) {
+  constexpr double kLeast = 1e-4;
+  const double exponent = tipDistance / std::max(std::abs(sine), 1e-12);
+  return std::max(kLeast, 2 / kPi * std::acos(std::exp(-exponent)));
+}
 
 /// Ends of the vortex ring state, in axial speeds over the hover induced velocity: where the
 /// empirical curve leaves the climb and the windmill solution.

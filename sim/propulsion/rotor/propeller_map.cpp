@@ -7,8 +7,58 @@
 
 #include "sim/core/constants.h"
 #include "sim/core/parallel.h"
+#include "sim/propulsion/rotor/lane_rotor.h"
 
 namespace rotorbench {
+
+namespace {
+
+/// Fills a row of equal steps: every fourth value is solved, and those between where the row bends
+/// more than a cubic follows. All are solved between two points where kinks come so close that the
+/// coarse steps would miss some.
+template <class Solve>
+void fillRow(std::vector<ThrustAndTorque>& row, std::size_t kinksFrom, std::size_t kinksTo,
+             const Solve& solve) {
+  const std::size_t last = row.size() - 1, coarse = last % 4 == 0 ? 4 : 1;
+  for (std::size_t k = 0; k <= last; k += coarse) solve(k);
+  ThrustAndTorque most;
+  for (std::size_t k = 0; k <= last; k += coarse) {
+    most.thrust = std::max(most.thrust, std::abs(row[k].thrust));
+    most.torque = std::max(most.torque, std::abs(row[k].torque));
+  }
+  // Midway between two points: the cubic through the four points around them.
+  const auto middle = [&row](std::size_t k, std::size_t step) {
+    const auto mean = [&](double ThrustAndTorque::*v) {
+      return (9 * (row[k - step].*v + row[k + step].*v) -
+              (row[k - 3 * step].*v + row[k + 3 * step].*v)) /
+             16;
+    };
+    return ThrustAndTorque{mean(&ThrustAndTorque::thrust), mean(&ThrustAndTorque::torque)};
+  };
+  constexpr double kThrust = 1e-4, kTorque = 2.5e-4;  // of the most in any direction
+  const auto bends = [&](std::size_t k, std::size_t step) {
+    if (k >= kinksFrom && k <= kinksTo) return true;
+    if (k < 3 * step || k + 3 * step > last) return true;
+    const ThrustAndTorque m = middle(k, step);
+    return std::abs(m.thrust - row[k].thrust) > kThrust * most.thrust ||
+           std::abs(m.torque - row[k].torque) > kTorque * most.torque;
+  };
+  for (std::size_t step = coarse / 2; step > 0; step /= 2) {
+    std::vector<bool> bent(row.size());
+    for (std::size_t k = 0; k <= last; k += 2 * step) bent[k] = bends(k, 2 * step);
+    for (std::size_t k = step; k < last; k += 2 * step) {
+      // Of all four points the cubic leans on: a kink may hide from the nearest ones.
+      if (k < 3 * step || k + 3 * step > last || bent[k - step] || bent[k + step] ||
+          bent[k - 3 * step] || bent[k + 3 * step]) {
+        solve(k);
+      } else {
+        row[k] = middle(k, step);
+      }
+    }
+  }
+}
+
+}  // namespace
 
 PropellerMap::PropellerMap(const BladeElementRotor& rotor, const PropellerMapSettings& settings) {
   setScales(rotor, settings);
@@ -65,14 +115,20 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
     const double reynolds = std::exp(leastLogReynolds_ + static_cast<double>(i) / rowsPerLog_);
     const double speed = reynolds * air.viscosity / (air.density * radius_);
     const double scale = 1 / (0.5 * air.density * area_ * speed * speed);
-    for (std::size_t k = 0; k < directions; ++k) {
+    const auto solve = [&](std::size_t k) {
       const double chi = static_cast<double>(k) / directionsPerAngle_ - kPi / 2;
       // The cosine of +-90 degrees is not quite 0; a blade that turns backwards would be meant
       // below it.
       const double omega = std::fmax(0, speed * std::cos(chi) / (kReferenceRadius * radius_));
       const AxialLoad load = rotor.axial(omega, speed * std::sin(chi), air);
       row[k] = {load.thrust * scale, load.torque * scale / radius_};
-    }
+    };
+    // From slow descent to where the annuli have left the ring one after the other.
+    constexpr double kKinksFrom = 30 * kDegree;
+    const auto place = [&](double chi) {
+      return static_cast<std::size_t>((chi + kPi / 2) * directionsPerAngle_);
+    };
+    fillRow(row, place(-kKinksFrom), place(0), solve);
     return row;
   });
   for (std::size_t i = 0; i < rows; ++i)
@@ -83,6 +139,7 @@ void PropellerMap::tabulateAxial(const BladeElementRotor& rotor,
 void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                                 const PropellerMapSettings& settings) {
   const double logRange = lastRow_ / rowsPerLog_;
+  const LaneRotor lanes(rotor, settings.leastReynolds, settings.mostReynolds);
   const auto direction = [&](const GridPlace& p) { return (p[0] - 0.5) * kPi; };
   const auto sideAngle = [&](const GridPlace& p) { return p[1] * kPi / 2; };
   const auto logReynolds = [&](const GridPlace& p) { return leastLogReynolds_ + p[2] * logRange; };
@@ -93,13 +150,13 @@ void PropellerMap::tabulateSide(const BladeElementRotor& rotor,
                           axis(settings.sideAngles, settings.sideRefinements, true),
                           axis(settings.sideReynoldsNumbers, 0, false)},
                          sideTolerance(settings.sideTolerance), [&](const GridPlace& p) {
-                           return sideAt(rotor, direction(p), sideAngle(p), logReynolds(p));
+                           return sideAt(lanes, direction(p), sideAngle(p), logReynolds(p));
                          });
   sideSolved_ = grid.solved();
   side_ = CubicTable(grid);
 }
 
-GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction, double sideAngle,
+GridValues PropellerMap::sideAt(const LaneRotor& rotor, double direction, double sideAngle,
                                 double logReynolds) const {
   // Of what is divided by the sine the limit is wanted at no in-plane speed: so small an angle is
   // near enough, the values being even in it.
@@ -121,7 +178,7 @@ GridValues PropellerMap::sideAt(const BladeElementRotor& rotor, double direction
   return values;
 }
 
-/// `share` of the static thrust and five times that of the static torque. Of a blade that hardly
+/// `share` of the static thrust and ten times that of the static torque. Of a blade that hardly
 /// lifts at rest, of a part of the most it does in any direction.
 GridValues PropellerMap::sideTolerance(double share) const {
   constexpr double kLeastPart = 0.05;
@@ -134,7 +191,7 @@ GridValues PropellerMap::sideTolerance(double share) const {
       axialCoefficients(0.0, leastLogReynolds_ + 0.5 * lastRow_ / rowsPerLog_);
   const double thrust = share * std::fmax(std::abs(still.thrust), kLeastPart * most.thrust);
   const double torque = share * std::fmax(std::abs(still.torque), kLeastPart * most.torque);
-  constexpr double kTorque = 5, kInPlane = 2;
+  constexpr double kTorque = 10, kInPlane = 4;
   // A propeller without blades to speak of has nothing to be refined.
   const auto positive = [](double x) { return x > 0 ? x : 1; };
   return {positive(thrust), positive(kTorque * torque), positive(kInPlane * thrust),
@@ -193,7 +250,7 @@ void Describe<PropellerMapSettings>::fields(schema::Builder<PropellerMapSettings
       .advanced();
   b.number("sideTolerance", &S::sideTolerance, "Tolerance in edgewise flow", "", "1")
       .range(schema::atLeast(1e-5), schema::upTo(1))
-      .help("Of the static thrust; five times that of the static torque.")
+      .help("Of the static thrust; ten times that of the static torque.")
       .advanced();
   b.check([](const S& s, std::vector<Problem>& problems) {
     constexpr double kMostPoints = 4e6;

@@ -5,10 +5,10 @@
 //   chi = atan2(V, 0.75 Om R),  sine = P/U,  U^2 = V^2 + P^2 + (0.75 Om R)^2
 // Axial flow (P = 0) is a fine table over chi and the logarithm of the Reynolds number. Edgewise
 // flow is a second table, over chi, the side angle asin(P/U) and the Reynolds number, solved where
-// it needs to be (refined_grid.h): thrust and torque, which are even in the side angle, and
+// it needs to be (refined_grid.h) and as fast as that tolerance allows (lane_rotor.h): thrust and torque, which are even in the side angle, and
 // in-plane force and hub moment over the sine, which are so too. Where there is hardly any in-plane
 // speed the finer axial table corrects it: so forward flight sets in smoothly and no direction is
-// needed at rest. Both come from BladeElementRotor and are read by Catmull-Rom cubics. The tables
+// needed at rest. The axial one comes from BladeElementRotor itself; both are read by Catmull-Rom cubics. The tables
 // are those of rigid blades in an even inflow; skew and flapping follow in closed form
 // (disc_response.h). Frame and signs as in blade_element.h. SI, rad.
 #pragma once
@@ -36,7 +36,7 @@ struct PropellerMapSettings {
   int sideAngles = 16;      ///< coarse, from no in-plane speed to nothing else, 0 to 90 degrees
   int sideReynoldsNumbers = 19;  ///< as `reynoldsNumbers`
   int sideRefinements = 3;       ///< how often directions and side angles may be halved
-  double sideTolerance = 5e-4;   ///< there, as a part of the static thrust; torque: 5 times
+  double sideTolerance = 5e-4;   ///< there, as a part of the static thrust; torque: 10 times
   bool operator==(const PropellerMapSettings&) const = default;
 };
 
@@ -47,6 +47,8 @@ struct ThrustAndTorqueOf {
   S torque = S(0.0);
 };
 using ThrustAndTorque = ThrustAndTorqueOf<double>;
+
+class LaneRotor;
 
 class PropellerMap {
  public:
@@ -127,8 +129,8 @@ class PropellerMap {
 
   void tabulateAxial(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
   void tabulateSide(const BladeElementRotor& rotor, const PropellerMapSettings& settings);
-  [[nodiscard]] GridValues sideAt(const BladeElementRotor& rotor, double direction,
-                                  double sideAngle, double logReynolds) const;
+  [[nodiscard]] GridValues sideAt(const LaneRotor& rotor, double direction, double sideAngle,
+                                  double logReynolds) const;
   [[nodiscard]] GridValues sideTolerance(double share) const;
   void extrapolateEdges(std::size_t rows);
 
