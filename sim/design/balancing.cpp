@@ -38,4 +38,15 @@ Eigen::MatrixXd balanced(const Eigen::MatrixXd& A, const Eigen::VectorXd& d) {
   return d.cwiseInverse().asDiagonal() * A * d.asDiagonal();
 }
 
+Eigen::MatrixXd equilibrated(Eigen::MatrixXd matrix) {
+  constexpr int kTurns = 10;  // each halves what is left on a logarithmic scale, or better
+  for (int turn = 0; turn < kTurns; ++turn) {
+    for (auto row : matrix.rowwise())
+      if (row.norm() > 0) row /= std::sqrt(row.norm());
+    for (auto column : matrix.colwise())
+      if (column.norm() > 0) column /= std::sqrt(column.norm());
+  }
+  return matrix;
+}
+
 }  // namespace rotorbench

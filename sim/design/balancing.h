@@ -17,4 +17,8 @@ Eigen::VectorXd balancing(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B = {
 /// diag(d)^-1 A diag(d).
 Eigen::MatrixXd balanced(const Eigen::MatrixXd& A, const Eigen::VectorXd& d);
 
+/// The matrix with rows and columns scaled to like lengths (those of zeros left alone), which does
+/// not change its rank but lets singular values tell it.
+Eigen::MatrixXd equilibrated(Eigen::MatrixXd matrix);
+
 }  // namespace rotorbench

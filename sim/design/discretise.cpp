@@ -150,7 +150,8 @@ LinearSystem tustinSampled(const LinearSystem& continuous, double period) {
   LinearSystem sampled = continuous;
   sampled.A = lu.solve(identity + half);
   sampled.B = lu.solve(continuous.B * period);
-  sampled.C = lu.transpose().solve(continuous.C.transpose()).transpose();
+  const Eigen::MatrixXd turned = (identity - half).transpose();
+  sampled.C = turned.partialPivLu().solve(continuous.C.transpose()).transpose();
   sampled.D = continuous.D + sampled.C * continuous.B * (period / 2);
   sampled.states.clear();
   return sampled;

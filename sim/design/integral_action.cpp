@@ -11,18 +11,13 @@ namespace rotorbench {
 
 namespace {
 
-/// Rank of [A B; C D], each row and column first brought to a like size: 0 where there is a zero.
+/// Whether [A - z I, B; C, D] has full row rank at rest, z = 0 or sampled 1: no zero there.
 bool holdsAtRest(const LinearSystem& plant, double restPole) {
   const Eigen::Index n = plant.A.rows(), m = plant.B.cols(), p = plant.C.rows();
   Eigen::MatrixXd whole(n + p, n + m);
   whole << plant.A - restPole * Eigen::MatrixXd::Identity(n, n), plant.B, plant.C, plant.D;
-  for (int turn = 0; turn < 10; ++turn) {
-    for (auto row : whole.rowwise())
-      if (row.norm() > 0) row /= std::sqrt(row.norm());
-    for (auto column : whole.colwise())
-      if (column.norm() > 0) column /= std::sqrt(column.norm());
-  }
-  const Eigen::VectorXd values = Eigen::JacobiSVD<Eigen::MatrixXd>(whole).singularValues();
+  const Eigen::VectorXd values =
+      Eigen::JacobiSVD<Eigen::MatrixXd>(equilibrated(whole)).singularValues();
   const double least =
       static_cast<double>((n + m) * (n + p)) * std::numeric_limits<double>::epsilon() * values[0];
   return values[n + p - 1] > least;

@@ -15,6 +15,7 @@ namespace rotorbench {
 namespace {
 
 constexpr double kEps = std::numeric_limits<double>::epsilon();
+constexpr double kReach = 1e-11;  // above the rounding of a model in other coordinates
 
 /// Without what is rounding of an exact zero: balancing would take a lone cos(pi/2) for a coupling
 /// in small units and enlarge it.
@@ -113,9 +114,9 @@ RankReport controllability(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
   RankReport report{krylov(A, B), {}, 0, 0};
   if (B.cols() == 0) return report;
   const ScaledPair scaled(A, B);
-  const Eigen::MatrixXd s = krylov(scaled.A, scaled.B);
-  report.singularValues = Eigen::BDCSVD<Eigen::MatrixXd>(s).singularValues();
-  report.tolerance = static_cast<double>(s.cols()) * kEps;
+  const Eigen::MatrixXd s = equilibrated(krylov(scaled.A, scaled.B));
+  report.singularValues = Eigen::JacobiSVD<Eigen::MatrixXd>(s).singularValues();
+  report.tolerance = kReach;
   const double least = report.tolerance * report.singularValues[0];
   report.rank = (report.singularValues.array() > least).count();
   return report;
@@ -131,7 +132,6 @@ Eigen::VectorXcd uncontrollableModes(const Eigen::MatrixXd& A, const Eigen::Matr
   checkPair(A, B);
   ScaledPair pair(A, B);
   const Eigen::Index n = A.rows();
-  const double least = static_cast<double>(n * n) * kEps;
   // Each turn splits the states not yet reached into those the last ones drive and the rest.
   Eigen::MatrixXd& a = pair.A;
   Eigen::MatrixXd drive = pair.B;
@@ -139,7 +139,7 @@ Eigen::VectorXcd uncontrollableModes(const Eigen::MatrixXd& A, const Eigen::Matr
   while (reached < n && drive.cols() > 0) {
     const Eigen::Index left = n - reached;
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(drive, Eigen::ComputeFullU);
-    const Eigen::Index rank = (svd.singularValues().array() > least).count();
+    const Eigen::Index rank = (svd.singularValues().array() > kReach).count();
     if (rank == 0) break;
     a.bottomRows(left) = (svd.matrixU().transpose() * a.bottomRows(left)).eval();
     a.rightCols(left) = (a.rightCols(left) * svd.matrixU()).eval();

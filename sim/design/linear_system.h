@@ -38,9 +38,9 @@ struct RankReport {
 
 /// Kalman's controllability matrix S = [B, AB, ..., A^(n-1) B], n x n m. Source: Kalman,
 /// "Contributions to the theory of optimal control" (1960). Powers of A with fast poles hide slow
-/// ones, so the rank is taken with states balanced, time in units of 1 / |A| and inputs of length
-/// one, none of which changes it in exact arithmetic; tolerance n m eps of the largest singular
-/// value. Where it is less than n, uncontrollableModes says why.
+/// ones, so the rank is taken with states balanced, time in units of 1 / |A| and rows and columns
+/// of like length, none of which changes it in exact arithmetic; tolerance 1e-11 of the largest
+/// singular value. Where it is less than n, uncontrollableModes says why.
 RankReport controllability(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 /// The observability matrix [C; CA; ...; C A^(n-1)], n p x n, as above.
@@ -48,9 +48,9 @@ RankReport observability(const Eigen::MatrixXd& A, const Eigen::MatrixXd& C);
 
 /// Eigenvalues of the part of A that no input reaches, empty if the pair is controllable. By
 /// orthogonal staircase reduction, which needs no power of A: the decision that counts. Source:
-/// Paige, "Properties of numerical algorithms related to computing controllability" (1981). Ranks
-/// are decided with tolerance n^2 eps of the balanced, scaled pair; entries of A and B below 4 eps
-/// of the largest in their column count as zero, as cos(pi/2) of an arm should.
+/// Paige, "Properties of numerical algorithms related to computing controllability" (1981). A
+/// coupling of the balanced, scaled pair counts above 1e-11; entries of A and B below 4 eps of the
+/// largest in their column are zero, as cos(pi/2) of an arm should be.
 Eigen::VectorXcd uncontrollableModes(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B);
 
 /// The eigenvalues of the part of A that no output shows.

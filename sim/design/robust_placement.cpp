@@ -45,17 +45,18 @@ class Vectors {
   Vectors(const RealMatrix& A, const RealMatrix& outside, const std::vector<PoleFactor>& factors)
       : x_(RealMatrix::Zero(A.rows(), A.rows())) {
     Eigen::Index column = 0;
-    const RealMatrix across = outside.transpose() * A;
+    const RealMatrix across = outside.transpose() * A, sides = outside.transpose();
     for (const PoleFactor& factor : factors) {
       Choice choice{factor, {}, {}, column};
       const Complex pole(factor.pole);
       // B can make up for (A - s I) x only where that has no part outside B's columns.
-      if (factor.pair())
-        choice.complex =
-            complementOf<ComplexMatrix>((across - pole * outside.transpose()).adjoint());
-      else
-        choice.real =
-            complementOf<RealMatrix>((across - pole.real() * outside.transpose()).transpose());
+      if (factor.pair()) {
+        const ComplexMatrix rest = across.cast<Complex>() - pole * sides.cast<Complex>();
+        choice.complex = complementOf<ComplexMatrix>(rest.adjoint());
+      } else {
+        const RealMatrix rest = across - pole.real() * sides;
+        choice.real = complementOf<RealMatrix>(rest.transpose());
+      }
       column += factor.pair() ? 2 : 1;
       choices_.push_back(std::move(choice));
     }

@@ -13,15 +13,17 @@
 
 namespace rotorbench::test {
 
+inline Eigen::VectorXcd poleList(const std::vector<std::complex<double>>& poles) {
+  return Eigen::Map<const Eigen::VectorXcd>(poles.data(), std::ssize(poles));
+}
+
 struct DesignPlant {
   std::string name;
   Eigen::MatrixXd A, B;
   std::vector<std::complex<double>> wanted;  ///< poles
   double period = 0.01;                      ///< s
 
-  [[nodiscard]] Eigen::VectorXcd poles() const {
-    return Eigen::Map<const Eigen::VectorXcd>(wanted.data(), std::ssize(wanted));
-  }
+  [[nodiscard]] Eigen::VectorXcd poles() const { return poleList(wanted); }
 };
 
 inline std::vector<DesignPlant> designPlants() {
@@ -93,8 +95,8 @@ inline std::vector<DesignPlant> designPlants() {
 inline DesignPlant randomPlant(RandomStream& random, Eigen::Index n, Eigen::Index m) {
   DesignPlant plant;
   plant.name = "random " + std::to_string(n) + " x " + std::to_string(m);
-  plant.A = Eigen::MatrixXd(n, n).unaryExpr([&](double) { return random.normal(); });
-  plant.B = Eigen::MatrixXd(n, m).unaryExpr([&](double) { return random.normal(); });
+  plant.A = Eigen::MatrixXd::NullaryExpr(n, n, [&] { return random.normal(); });
+  plant.B = Eigen::MatrixXd::NullaryExpr(n, m, [&] { return random.normal(); });
   while (std::ssize(plant.wanted) < n) {
     const double real = -0.5 - 4 * random.uniform(), imag = 0.2 + 3 * random.uniform();
     if (std::ssize(plant.wanted) + 1 < n && random.uniform() < 0.5) {

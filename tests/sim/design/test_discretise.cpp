@@ -27,10 +27,11 @@ Eigen::VectorXd integrated(const DesignPlant& plant, Eigen::VectorXd x, const Ei
 
 Eigen::MatrixXcd response(const LinearSystem& system, std::complex<double> s) {
   const Eigen::Index n = system.A.rows();
+  using Complex = std::complex<double>;
   const Eigen::MatrixXcd resolvent =
-      s * Eigen::MatrixXcd::Identity(n, n) - system.A.cast<std::complex<double>>();
-  return system.C * resolvent.partialPivLu().solve(system.B.cast<std::complex<double>>()) +
-         system.D;
+      s * Eigen::MatrixXcd::Identity(n, n) - system.A.cast<Complex>();
+  const Eigen::MatrixXcd states = resolvent.partialPivLu().solve(system.B.cast<Complex>());
+  return system.C.cast<Complex>() * states + system.D.cast<Complex>();
 }
 
 }  // namespace
@@ -62,7 +63,7 @@ void TestDiscretise::exponentials() {
                                            {0, std::exp(-2)}}) < 1e-14);
   RandomStream random(12, "exponentials");
   for (int turn2 = 0; turn2 < 20; ++turn2) {
-    const Eigen::MatrixXd A = 3 * randomPlant(random, 2 + turn2 % 6, 1).A;
+    const Eigen::MatrixXd A = randomPlant(random, 2 + turn2 % 6, 1).A;
     const Eigen::Index n = A.rows();
     QVERIFY(
         (matrixExponential(A) * matrixExponential(-A) - Eigen::MatrixXd::Identity(n, n)).norm() <
@@ -116,11 +117,8 @@ void TestDiscretise::heldInputsAgainstIntegration() {
       Eigen::VectorXd u(m);
       for (double& value : u) value = random.normal();
       inputs.push_back(u);
-      if (late < 1) x = integrated(plant, x, inputs[k], (1 - late) * T, 400);
-      if (onTheWay == 0)
-        x = integrated(plant, x, inputs[k], T, 400);
-      else if (late > 0)
-        x = integrated(plant, x, inputs[k + 1], late * T, 400);
+      x = integrated(plant, x, inputs[k], (onTheWay == 0 ? 1 : 1 - late) * T, 200);
+      if (onTheWay > 0) x = integrated(plant, x, inputs[k + 1], late * T, 200);
       all = sampled.A * all + sampled.B * u;
       size = size.cwiseMax(x.cwiseAbs());
       QVERIFY2(((all.head(n) - x).array().abs() <= 1e-9 * size.array()).all(), plant.name.c_str());
@@ -161,8 +159,8 @@ void TestDiscretise::wholeDelaysAreShifts() {
   const std::complex<double> z = std::polar(1.0, 0.4);
   QVERIFY(response(later, z).isApprox(response(now, z) / (z * z), 1e-12));
   QCOMPARE(later.states.size(), 8U);
-  QCOMPARE(later.states[4], "heat, 2 periods ago");
-  QCOMPARE(later.states[7], "flow, 1 period ago");
+  QVERIFY(later.states[4] == "heat, 2 periods ago");
+  QVERIFY(later.states[7] == "flow, 1 period ago");
 }
 
 void TestDiscretise::directPathsAreDelayedToo() {

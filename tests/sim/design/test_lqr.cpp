@@ -77,13 +77,13 @@ void TestLqr::publishedContinuous() {
   const LqrDesign printed =
       lqr(Matrix{{-3, 2}, {1, 1}}, Matrix{{0}, {1}}, {c.transpose() * c, Matrix{{3}}});
   QVERIFY((printed.gain - Matrix{{0.6072, 2.9396}}).cwiseAbs().maxCoeff() < 5e-5);
-  QVERIFY(poleError(printed.poles, Eigen::Vector2cd(-3.5026, -1.4370)) < 5e-5);
+  QVERIFY(poleError(printed.poles, poleList({-3.5026, -1.4370})) < 5e-5);
   // CT07, closed form.
   const LqrDesign closed = lqr(kIntegrators, kForce, {identity(2), kOne});
   const double root = std::sqrt(3.0);
   QVERIFY(relativeError(closed.gain, Matrix{{1, root}}) < 1e-12);
   QVERIFY(relativeError(closed.P, Matrix{{root, 1}, {1, root}}) < 1e-12);
-  QVERIFY(poleError(closed.poles, Eigen::Vector2cd({-root / 2, 0.5}, {-root / 2, -0.5})) < 1e-12);
+  QVERIFY(poleError(closed.poles, poleList({{-root / 2, 0.5}, {-root / 2, -0.5}})) < 1e-12);
 }
 
 /// CT08, octave-control 3.4.0, dare.m: four decimals.

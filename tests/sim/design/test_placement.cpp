@@ -57,21 +57,20 @@ void TestPlacement::publishedGains_data() {
   QTest::addColumn<Eigen::MatrixXd>("gain");
   QTest::addColumn<double>("tolerance");
   using Matrix = Eigen::MatrixXd;
-  using Poles = Eigen::VectorXcd;
   const double ixx = 4.856e-3;
   QTest::addRow("CT01, octave-control 3.4.0, place.m")
-      << Matrix{{0, 1}, {3, 2}} << Matrix{{0}, {1}} << Poles(Eigen::Vector2cd(-1, -0.5))
-      << Matrix{{3.5, 3.5}} << 1e-12;
+      << Matrix{{0, 1}, {3, 2}} << Matrix{{0}, {1}} << poleList({-1, -0.5}) << Matrix{{3.5, 3.5}}
+      << 1e-12;
   QTest::addRow("CT02, octave-control 3.4.0, acker.m")
-      << Matrix{{1, 1}, {1, 2}} << Matrix{{1}, {0}} << Poles(Eigen::Vector2cd(-5, -6))
-      << Matrix{{14, 57}} << 1e-12;
+      << Matrix{{1, 1}, {1, 2}} << Matrix{{1}, {0}} << poleList({-5, -6}) << Matrix{{14, 57}}
+      << 1e-12;
   QTest::addRow("CT03, SLICOT SB01MD")
       << Matrix{{-1, 0, 2, -3}, {1, -4, 3, -1}, {0, 2, 4, -5}, {0, 0, -1, -2}}
-      << Matrix{{1}, {0}, {0}, {0}} << Poles(Poles::Constant(4, -1)) << Matrix{{1, 29, 93, -76}}
+      << Matrix{{1}, {0}, {0}, {0}} << poleList({-1, -1, -1, -1}) << Matrix{{1, 29, 93, -76}}
       << 1e-12;
   QTest::addRow("CT12, closed form, inertia of Luukkonen")
-      << Matrix{{0, 1}, {0, 0}} << Matrix{{0}, {1 / ixx}}
-      << Poles(Eigen::Vector2cd({-10, 1}, {-10, -1})) << Matrix{{0.490456, 0.09712}} << 1e-12;
+      << Matrix{{0, 1}, {0, 0}} << Matrix{{0}, {1 / ixx}} << poleList({{-10, 1}, {-10, -1}})
+      << Matrix{{0.490456, 0.09712}} << 1e-12;
 }
 
 void TestPlacement::publishedGains() {
@@ -92,8 +91,8 @@ void TestPlacement::publishedPolesOfSeveralInputs() {
   const Eigen::MatrixXd B{{5.64, 0}, {0, 0}, {0, 1.18}, {0, 0}};
   const Eigen::MatrixXd F{{-0.0876, -4.2138, 0.0837, -18.1412},
                           {-0.0233, 18.2483, -0.4259, -4.8120}};
-  const Eigen::Vector4cd wanted({-3.3984, 94.5253}, {-3.3984, -94.5253}, {-0.5, 0.15},
-                                {-0.5, -0.15});
+  const Eigen::VectorXcd wanted =
+      poleList({{-3.3984, 94.5253}, {-3.3984, -94.5253}, {-0.5, 0.15}, {-0.5, -0.15}});
   for (const std::complex<double> pole : poles(A + B * F))
     QVERIFY((wanted.array() - pole).abs().minCoeff() < 2e-4);  // F has four decimals
   const Placement ours = placePoles(A, B, wanted);
@@ -201,8 +200,8 @@ void TestPlacement::integralActionHoldsTheOutput() {
     plant.outputs = {"roll"};
     if (sampled) plant = holdSampled(plant, T);
     const LinearSystem whole = withIntegrators(plant, sampled ? std::optional(T) : std::nullopt);
-    QCOMPARE(whole.states.back(), "integral of roll");
-    Eigen::VectorXcd wanted = Eigen::Vector4cd({-10, 1}, {-10, -1}, -30, -5);
+    QVERIFY(whole.states.back() == "integral of roll");
+    Eigen::VectorXcd wanted = poleList({{-10, 1}, {-10, -1}, -30, -5});
     if (sampled) wanted = sampledPoles(wanted, T);
     const Placement placed = placePoles(whole.A, whole.B, wanted);
     QVERIFY(poleError(placed.poles, wanted) < 1e-9);
@@ -232,15 +231,15 @@ void TestPlacement::refusalsSayWhy() {
     return text.find(words) != std::string::npos;
   };
   const Eigen::MatrixXd A{{1, 0}, {0, -2}}, B{{1}, {0}};
-  const Eigen::Vector2cd fine(-1, -3);
+  const Eigen::VectorXcd fine = poleList({-1, -3});
   QVERIFY2(says(refusal(A, B, fine), "no input moves the mode at -2"), refusal(A, B, fine).c_str());
   const Eigen::MatrixXd both = Eigen::MatrixXd::Identity(2, 2);
   QVERIFY(refusal(A, both, fine).empty());
-  QVERIFY(says(refusal(A, both, Eigen::Vector2cd({-1, 2}, -3)), "lacks its conjugate"));
+  QVERIFY(says(refusal(A, both, poleList({{-1, 2}, -3})), "lacks its conjugate"));
   QVERIFY(says(refusal(A, both, Eigen::VectorXcd::Constant(3, -1)), "3 poles"));
-  QVERIFY(says(refusal(A, both, Eigen::Vector2cd(NAN, -1)), "no number"));
+  QVERIFY(says(refusal(A, both, poleList({NAN, -1})), "no number"));
   const DesignPlant reactor = designPlants()[5];
-  const std::string often = refusal(reactor.A, reactor.B, Eigen::Vector4cd(-1, -1, -1, -2));
+  const std::string often = refusal(reactor.A, reactor.B, poleList({-1, -1, -1, -2}));
   QVERIFY2(says(often, "the pole -1 is wanted 3 times") && says(often, "at most 2 times"),
            often.c_str());
   QVERIFY_EXCEPTION_THROWN(ackermann(A, both, fine), InputError);
