@@ -14,7 +14,7 @@ run_packages=(
 )
 # shellcheck disable=SC2034
 test_packages=(
-  desktop-file-utils poppler-utils python3-jsonschema
+  desktop-file-utils octave octave-control poppler-utils python3-jsonschema
 )
 # shellcheck disable=SC2034
 check_packages=(

@@ -75,6 +75,8 @@ const QMap<QString, QStringList>& rules() {
       {"sim/control", {"sim/core", "sim/propulsion/drive", "sim/signal"}},
       {"sim/analysis",
        {"sim/core", "sim/numerics", "sim/signal", "sim/control", "sim/ode", "sim/vehicle"}},
+      // Numbers of linear models: no vehicle, no controller.
+      {"sim/design", {"sim/core"}},
       {"sim/document",
        {"sim/core", "sim/io", "sim/ode", "sim/environment", "sim/propulsion", "sim/vehicle",
         "sim/signal", "sim/sensing", "sim/control"}},
