@@ -1,16 +1,8 @@
 #include "sim/control/pid_flight.h"
 
-#include <algorithm>
-#include <cmath>
-
-#include "sim/core/constants.h"
-
 namespace rotorbench {
 
 namespace {
-
-/// Beyond 60 degrees of tilt thrust no longer makes up for the lost lift.
-constexpr double kLeastLiftCosine = 0.5;
 
 PidGains<Lanes<4>> gainsOf(const PidFlightParameters& p) {
   return besides<4>({pidGains(p.altitude, 1 / p.rate), pidGains(p.roll, 1 / p.rate),
@@ -19,80 +11,25 @@ PidGains<Lanes<4>> gainsOf(const PidFlightParameters& p) {
 
 }  // namespace
 
-double AngleUnwrapper::operator()(double angle) {
-  if (started_) angle += kTurn * std::round((last_ - angle) / kTurn);
-  startAt(angle);
-  return angle;
-}
-
 PidFlight::PidFlight(const PidFlightParameters& p, const ControlModel& model, Timing timing,
                      const Place& vehicle)
-    : Controller("controller", timing),
-      model_(model),
-      allocation_(model, vehicle),
-      pid_(gainsOf(p)) {}
+    : Controller("controller", timing), axes_(model, vehicle), pid_(gainsOf(p)) {}
 
 void PidFlight::retune(const PidFlightParameters& parameters) {
   pid_.retune(gainsOf(parameters));
 }
 
-std::vector<HeldQuantity> PidFlight::held() const {
-  // Far outside what a step's overshoot or a gust does to a vehicle that flies.
-  constexpr double kHeight = 1;       // m
-  constexpr double kAngle = kPi / 6;  // rad
-  return {{"altitude", "position.z", "setpoint.z", kHeight, false,
-           [](const SetPoint& s) -> const double& { return s.height; },
-           [](const Truth& t) -> const double& { return t.body.position[2]; }},
-          {"roll", "attitude.roll", "setpoint.roll", kAngle, false,
-           [](const SetPoint& s) -> const double& { return s.roll; },
-           [](const Truth& t) -> const double& { return t.body.attitude[0]; }},
-          {"pitch", "attitude.pitch", "setpoint.pitch", kAngle, false,
-           [](const SetPoint& s) -> const double& { return s.pitch; },
-           [](const Truth& t) -> const double& { return t.body.attitude[1]; }},
-          {"yaw", "attitude.yaw", "setpoint.yaw", kAngle, true,
-           [](const SetPoint& s) -> const double& { return s.yaw; },
-           [](const Truth& t) -> const double& { return t.body.attitude[2]; }}};
-}
-
-std::vector<Channel> PidFlight::channels() const {
-  std::vector<Channel> all{{"control.thrust", "N", "Total thrust demanded"},
-                           {"control.momentX", "N*m", "Roll moment demanded"},
-                           {"control.momentY", "N*m", "Pitch moment demanded"},
-                           {"control.momentZ", "N*m", "Yaw moment demanded"},
-                           {"control.limited", "1", "1 while the rotors cannot meet the demand"}};
-  for (int i = 1; i <= model_.rotors; ++i)
-    all.push_back({rotorChannel(i, "speedSetpoint"), "rad/s", "Rotor speed demanded"});
-  return all;
-}
-
 void PidFlight::act(const ClockTick& /*tick*/, Board& board, double* row) {
   board.demand.speed = update(board.estimate.body, board.setPoint);
-  Eigen::Map<Wrench>{row} = wrench_;
-  row[4] = limited_ ? 1.0 : 0.0;
-  for (int i = 0; i < model_.rotors; ++i) row[5 + i] = speeds_[i];
+  axes_.row(row);
 }
 
 const PerRotor& PidFlight::update(const BodyMotion& body, const SetPoint& setPoint) {
-  const double lift =
-      std::max(kLeastLiftCosine, std::cos(body.attitude[0]) * std::cos(body.attitude[1]));
-  const double yaw = measuredYaw_(body.attitude[2]);
-  if (!wantedYaw_.started()) wantedYaw_.startAt(yaw);
-  const Lanes<4> wanted(setPoint.height, setPoint.roll, setPoint.pitch, wantedYaw_(setPoint.yaw));
-  const Lanes<4> measured(body.position[2], body.attitude[0], body.attitude[1], yaw);
-  Lanes<4> demand = pid_.propose(wanted, measured);
-  const Eigen::Vector3d turn = demand.tail<3>().matrix();
-  wrench_ << model_.mass * (model_.gravity + demand[0]) / lift, model_.inertia * turn;
-
-  const auto result = allocation_.allocate(wrench_);
-  limited_ = result.limited;
-  if (limited_) {
-    demand[0] = result.achieved[0] * lift / model_.mass - model_.gravity;
-    demand.tail<3>().matrix() = model_.inverseInertia * result.achieved.tail<3>();
-  }
+  const FlightAxes::Seen seen = axes_.see(body, setPoint);
+  Lanes<4> demand = pid_.propose(seen.wanted, seen.measured);
+  axes_.carryOut(seen.lift, demand);
   pid_.accept(demand);
-  for (int i = 0; i < model_.rotors; ++i)
-    speeds_[i] = std::sqrt(result.thrust[i] / model_.thrustFactor[static_cast<std::size_t>(i)]);
-  return speeds_;
+  return axes_.speeds();
 }
 
 }  // namespace rotorbench

@@ -7,6 +7,7 @@
 
 #include "sim/control/motor_speed_parameters.h"
 #include "sim/control/pid_flight_parameters.h"
+#include "sim/control/state_feedback_parameters.h"
 #include "sim/core/schema.h"
 #include "sim/document/prescribed_inputs.h"
 #include "sim/document/set_points.h"
@@ -15,7 +16,8 @@ namespace rotorbench {
 
 /// Every controller that can be chosen, by its settings. Each has its line in the factory,
 /// sim/run/controller_factory.cpp.
-using ControllerParameters = std::variant<PidFlightParameters>;
+using ControllerParameters =
+    std::variant<PidFlightParameters, StateFeedbackParameters, LqrParameters>;
 
 struct ControlledInputs {
   ControllerParameters controller;

@@ -1,6 +1,7 @@
 #include "sim/run/controller_factory.h"
 
 #include "sim/control/pid_flight.h"
+#include "sim/control/state_feedback.h"
 
 namespace rotorbench {
 
@@ -23,6 +24,8 @@ struct Maker {
   const ControllerSite& site;
   using Made = MadeController;
   Made operator()(const PidFlightParameters& p) const { return make<PidFlight>(p, site); }
+  Made operator()(const StateFeedbackParameters& p) const { return make<StateFeedback>(p, site); }
+  Made operator()(const LqrParameters& p) const { return make<StateFeedback>(p, site); }
 };
 
 }  // namespace

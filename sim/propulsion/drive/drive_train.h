@@ -119,7 +119,7 @@ class DriveTrain {
   template <class S>
   [[nodiscard]] DriveInstant<S> instant(const StateOf<S>& y) const {
     DriveInstant<S> at;
-    const S w = y[kSpeed];
+    const S& w = y[kSpeed];
     const S back = S(motor_.torqueConstant * w);
     at.duty = y[kDuty];
     at.openCircuit = supply_.openCircuit(S(y[kCharge]));
@@ -149,7 +149,7 @@ class DriveTrain {
   template <class S>
   void derivative(const StateOf<S>& y, StateOf<S>& dydt) const {
     const DriveInstant<S> at = instant(y);
-    const S w = y[kSpeed];
+    const S& w = y[kSpeed];
     dydt[kCurrent] = quasiStatic_ ? S(0) : motor_.currentRate(at.motorVoltage, at.current, w);
     dydt[kSpeed] = (motor_.torqueConstant * at.current - motor_.friction(w) - load_.torque(w)) *
                    inverseInertia_;

@@ -21,9 +21,9 @@ class LaneRotor {
  private:
   /// What does not change from state to state; lengths over the tip radius.
   struct Block {
-    Lanes radius, hoverFactor, area;  // solidity/(4 k) over the azimuths; B c dr over them
-    std::array<std::size_t, kLanes> annulus;
-    std::array<double, kLanes> chord;
+    FloatLanes radius, hoverFactor, area;  // solidity/(4 k) over the azimuths; B c dr over them
+    std::array<std::size_t, kFloatLanes> annulus;
+    std::array<double, kFloatLanes> chord;
   };
 
   SectionTable table_;

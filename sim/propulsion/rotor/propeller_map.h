@@ -3,14 +3,15 @@
 // so one table holds for every speed, from standing still to windmilling, and for all air. With
 // axial speed V, in-plane speed P and U the length of all:
 //   chi = atan2(V, 0.75 Om R),  sine = P/U,  U^2 = V^2 + P^2 + (0.75 Om R)^2
-// Axial flow (P = 0) is a fine table over chi and the logarithm of the Reynolds number. Edgewise
-// flow is a second table, over chi, the side angle asin(P/U) and the Reynolds number, solved where
-// it needs to be (refined_grid.h) and as fast as that tolerance allows (lane_rotor.h): thrust and torque, which are even in the side angle, and
-// in-plane force and hub moment over the sine, which are so too. Where there is hardly any in-plane
-// speed the finer axial table corrects it: so forward flight sets in smoothly and no direction is
-// needed at rest. The axial one comes from BladeElementRotor itself; both are read by Catmull-Rom cubics. The tables
-// are those of rigid blades in an even inflow; skew and flapping follow in closed form
-// (disc_response.h). Frame and signs as in blade_element.h. SI, rad.
+// Axial flow (P = 0) is a fine table over chi and the logarithm of the Reynolds number, solved by
+// BladeElementRotor itself. Edgewise flow is a second table, over chi, the side angle asin(P/U) and
+// the Reynolds number, solved where it needs to be (refined_grid.h) and as fast as its tolerance
+// allows (lane_rotor.h): thrust and torque, which are even in the side angle, and in-plane force
+// and hub moment over the sine, which are so too. Where there is hardly any in-plane speed the
+// finer axial table corrects it: so forward flight sets in smoothly and no direction is needed at
+// rest. Both are read by Catmull-Rom cubics. The tables are those of rigid blades in an even
+// inflow; skew and flapping follow in closed form (disc_response.h). Frame and signs as in
+// blade_element.h. SI, rad.
 #pragma once
 
 #include <array>

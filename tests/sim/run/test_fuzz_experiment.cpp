@@ -131,7 +131,7 @@ std::size_t simulate(Experiment experiment) {
       if (timer.elapsed() > 1000) break;
     }
     simulation->stop();
-    simulation->metrics();
+    static_cast<void>(simulation->metrics());
     for (const auto& run : simulation->runs()) rows = std::max(rows, run.recording->rows());
     if (simulation->state() == SimulationState::Failed && simulation->failure()->message.empty())
       qFatal("a run failed without a message");

@@ -98,7 +98,7 @@ QString fly(const Experiment& e, Count& count) {
   }
   while (simulation->advance(1000) == SimulationState::Running) {
   }
-  simulation->metrics();
+  static_cast<void>(simulation->metrics());
   if (simulation->state() == SimulationState::Failed) {
     ++count.failed;
     ++count.stoppedBy[simulation->failure()->component];

@@ -11,7 +11,7 @@ using namespace rotorbench;
 
 namespace {
 
-RunWorker::Factory fake(FakePlan plan) {
+RunWorker::Factory fake(const FakePlan& plan) {
   return [plan] { return std::make_unique<FakeSimulation>(plan); };
 }
 

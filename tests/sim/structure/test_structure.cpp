@@ -71,8 +71,9 @@ const QMap<QString, QStringList>& rules() {
       {"sim/vehicle", {"sim/core", "sim/environment", "sim/ode", "sim/propulsion"}},
       {"sim/signal", {"sim/core"}},
       {"sim/sensing", {"sim/core", "sim/environment", "sim/signal"}},
-      // A speed controller steers a motor through an ESC: it knows their constants, and no rotor.
-      {"sim/control", {"sim/core", "sim/propulsion/drive", "sim/signal"}},
+      // A speed controller steers a motor through an ESC: it knows their constants, and no rotor. A
+      // state feedback designs its gains.
+      {"sim/control", {"sim/core", "sim/design", "sim/propulsion/drive", "sim/signal"}},
       {"sim/analysis",
        {"sim/core", "sim/numerics", "sim/signal", "sim/control", "sim/ode", "sim/vehicle"}},
       // Numbers of linear models: no vehicle, no controller.

@@ -22,7 +22,7 @@ using namespace rotorbench;
 
 namespace {
 
-RunController::Builder fake(FakePlan plan) {
+RunController::Builder fake(const FakePlan& plan) {
   return [plan](const Experiment&, const std::filesystem::path&) {
     return std::make_unique<FakeSimulation>(plan);
   };
