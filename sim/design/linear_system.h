@@ -14,8 +14,6 @@ namespace rotorbench {
 struct LinearSystem {
   Eigen::MatrixXd A, B, C, D;
   std::vector<std::string> states, inputs, outputs;
-
-  bool operator==(const LinearSystem&) const = default;
 };
 
 /// Throws an InputError if the shapes or the numbers of names disagree or an entry is not finite.
@@ -59,10 +57,9 @@ Eigen::VectorXcd unobservableModes(const Eigen::MatrixXd& A, const Eigen::Matrix
 /// One input and what it moves: an axis of a vehicle, if the input is the moment about it.
 struct AxisControllability {
   Eigen::Index input = 0;
-  std::vector<Eigen::Index>
-      states;              ///< those the input reaches over entries of A that are not zero
-  RankReport kalman;       ///< S of these states and this input
-  Eigen::VectorXcd stuck;  ///< modes among these states that it cannot move
+  std::vector<Eigen::Index> states;  ///< those the input reaches over entries that are not zero
+  RankReport kalman;                 ///< S of these states and this input
+  Eigen::VectorXcd stuck;            ///< modes among these states that it cannot move
 
   [[nodiscard]] bool controllable() const { return !states.empty() && stuck.size() == 0; }
 };
