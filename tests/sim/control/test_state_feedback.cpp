@@ -156,9 +156,9 @@ class TestStateFeedback : public QObject {
     QVERIFY(std::abs(axis.angle) < 1e-9);
   }
 
-  /// A step far beyond the limit overshoots by half at most of what the same law does whose integral
-  /// winds up, and a disturbance beyond the limit is forgotten: coming back, the angle swings less
-  /// than it was pushed.
+  /// A step far beyond the limit overshoots by half at most of what the same law does whose
+  /// integral winds up, and a disturbance beyond the limit is forgotten: coming back, the angle
+  /// swings less than it was pushed.
   void nothingWindsUp() {
     const StateFeedbackParameters p = slowLimits(FeedbackStage::Final);
     RollAxis held(p);

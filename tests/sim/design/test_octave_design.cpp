@@ -38,8 +38,8 @@ std::string literal(const std::vector<std::complex<double>>& poles) {
 }
 
 /// Octave is given the plants in units that suit it (its care and acker fail where lengths are in
-/// nanometres) and its gains are taken back to those of the plant. What it prints: "<plant> <quantity> <rows> <columns> <numbers row by row>" a line, then
-/// "done".
+/// nanometres) and its gains are taken back to those of the plant. What it prints, a line each:
+/// "<plant> <quantity> <rows> <columns> <numbers row by row>", then "done".
 std::string script() {
   std::ostringstream text;
   text << "pkg load control\n"
