@@ -25,7 +25,7 @@ struct Stream {
       std::array<const float*, kFloatLanes> places;
       for (int l = 0; l < kFloatLanes; ++l)
         places[static_cast<std::size_t>(l)] =
-            rows[static_cast<std::size_t>(l)] + numbers * index[l];
+            rows[static_cast<std::size_t>(l)] + static_cast<std::ptrdiff_t>(numbers) * index[l];
       return places;
     }
   };

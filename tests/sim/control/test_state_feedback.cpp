@@ -54,10 +54,9 @@ StateFeedbackParameters slowLimits(FeedbackStage stage) {
   return p;
 }
 
-Experiment flownBy(ControllerParameters controller) {
+Experiment flownBy(const ControllerParameters& controller) {
   Experiment e = shipped("f450-hover-and-steps");
-  alternative<ControlledInputs>(alternative<Flight>(e.setup).control).controller =
-      std::move(controller);
+  alternative<ControlledInputs>(alternative<Flight>(e.setup).control).controller = controller;
   return e;
 }
 

@@ -1,3 +1,4 @@
+#include <Eigen/LU>
 #include <QtTest>
 #include <numbers>
 
@@ -211,16 +212,16 @@ void TestDiscretise::tustinKeepsTheResponse() {
 
 void TestDiscretise::nonsenseIsRefused() {
   const LinearSystem lag = stateSystem(Eigen::MatrixXd{{-1}}, Eigen::MatrixXd{{1}});
-  QVERIFY_EXCEPTION_THROWN(holdSampled(lag, 0), InputError);
-  QVERIFY_EXCEPTION_THROWN(holdSampled(lag, NAN), InputError);
-  QVERIFY_EXCEPTION_THROWN(holdSampled(lag, 0.1, -0.01), InputError);
-  QVERIFY_EXCEPTION_THROWN(holdSampled(lag, 1e-6, 1), InputError);
-  QVERIFY_EXCEPTION_THROWN(holdSampled(lag, 0.1, INFINITY), InputError);
-  QVERIFY_EXCEPTION_THROWN(continuousPoles(Eigen::VectorXcd::Zero(1), -1), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(lag, 0));
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(lag, NAN));
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(lag, 0.1, -0.01));
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(lag, 1e-6, 1));
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(lag, 0.1, INFINITY));
+  QVERIFY_THROWS_EXCEPTION(InputError, continuousPoles(Eigen::VectorXcd::Zero(1), -1));
   const LinearSystem explosive = stateSystem(Eigen::MatrixXd{{1e4}}, Eigen::MatrixXd{{1}});
-  QVERIFY_EXCEPTION_THROWN(holdSampled(explosive, 1), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, holdSampled(explosive, 1));
   const LinearSystem mirrored = stateSystem(Eigen::MatrixXd{{20}}, Eigen::MatrixXd{{1}});
-  QVERIFY_EXCEPTION_THROWN(tustinSampled(mirrored, 0.1), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, tustinSampled(mirrored, 0.1));
 }
 
 QTEST_GUILESS_MAIN(TestDiscretise)

@@ -165,12 +165,12 @@ void TestLinearSystem::conjugatesArePairs() {
 
 void TestLinearSystem::wrongShapesAreRefused() {
   const Eigen::MatrixXd square = Eigen::MatrixXd::Zero(2, 2), wide = Eigen::MatrixXd::Zero(1, 2);
-  QVERIFY_EXCEPTION_THROWN(poles(wide), InputError);
-  QVERIFY_EXCEPTION_THROWN(stateSystem(square, wide), InputError);
-  QVERIFY_EXCEPTION_THROWN(controllability(square, wide), InputError);
-  QVERIFY_EXCEPTION_THROWN(checkSystem({square, square, wide, square, {}, {}, {}}), InputError);
-  QVERIFY_EXCEPTION_THROWN(checkSystem({square, square, wide, wide, {"one"}, {}, {}}), InputError);
-  QVERIFY_EXCEPTION_THROWN(poles(Eigen::MatrixXd::Constant(2, 2, NAN)), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, poles(wide));
+  QVERIFY_THROWS_EXCEPTION(InputError, stateSystem(square, wide));
+  QVERIFY_THROWS_EXCEPTION(InputError, controllability(square, wide));
+  QVERIFY_THROWS_EXCEPTION(InputError, checkSystem({square, square, wide, square, {}, {}, {}}));
+  QVERIFY_THROWS_EXCEPTION(InputError, checkSystem({square, square, wide, wide, {"one"}, {}, {}}));
+  QVERIFY_THROWS_EXCEPTION(InputError, poles(Eigen::MatrixXd::Constant(2, 2, NAN)));
 }
 
 QTEST_GUILESS_MAIN(TestLinearSystem)

@@ -1,4 +1,5 @@
 // Rows CT are those of published examples; each test names its source.
+#include <Eigen/Cholesky>
 #include <QtTest>
 
 #include "sim/core/error.h"
@@ -279,7 +280,7 @@ void TestLqr::refusalsSayWhy() {
   QVERIFY(sampled(B, {identity(2), kOne}).empty());
   QVERIFY(says(sampled(stuck, {identity(2), kOne}), "no input stabilises the mode at 1"));
   QVERIFY(says(sampled(B, {Matrix{{0, 0}, {0, 1}}, kOne}), "does not see the mode at 1"));
-  QVERIFY_EXCEPTION_THROWN(brysonCost(Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1)), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, brysonCost(Eigen::Vector2d(1, 0), Eigen::Vector2d(1, 1)));
 }
 
 QTEST_GUILESS_MAIN(TestLqr)

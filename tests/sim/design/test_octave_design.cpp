@@ -105,7 +105,7 @@ void TestOctaveDesign::initTestCase() {
   std::string plant, name;
   Eigen::Index rows = 0, columns = 0;
   while (lines >> plant >> name >> rows >> columns) {
-    Eigen::MatrixXd& matrix = answers_[plant + " " + name];
+    Eigen::MatrixXd& matrix = answers_[plant.append(" ").append(name)];
     matrix.resize(rows, columns);
     for (Eigen::Index i = 0; i < rows; ++i)
       for (Eigen::Index j = 0; j < columns; ++j) QVERIFY(lines >> matrix(i, j));

@@ -1,4 +1,5 @@
 // Rows CT are those of published examples; each test names its source.
+#include <Eigen/LU>
 #include <QtTest>
 
 #include "sim/core/error.h"
@@ -223,10 +224,9 @@ void TestPlacement::integralActionHoldsTheOutput() {
   LinearSystem blocked = stateSystem(Eigen::MatrixXd{{0, 1}, {-4, -1}}, Eigen::MatrixXd{{0}, {1}});
   blocked.C = Eigen::MatrixXd{{0, 1}};
   blocked.D = Eigen::MatrixXd{{0}};
-  QVERIFY_EXCEPTION_THROWN(withIntegrators(blocked), InputError);
-  QVERIFY_EXCEPTION_THROWN(
-      withIntegrators(stateSystem(Eigen::MatrixXd{{0, 1}, {0, 0}}, Eigen::MatrixXd{{0}, {1}})),
-      InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, withIntegrators(blocked));
+  QVERIFY_THROWS_EXCEPTION(InputError, withIntegrators(stateSystem(Eigen::MatrixXd{{0, 1}, {0, 0}},
+                                                                   Eigen::MatrixXd{{0}, {1}})));
 }
 
 void TestPlacement::refusalsSayWhy() {
@@ -245,10 +245,10 @@ void TestPlacement::refusalsSayWhy() {
   const std::string often = refusal(reactor.A, reactor.B, poleList({-1, -1, -1, -2}));
   QVERIFY2(says(often, "the pole -1 is wanted 3 times") && says(often, "at most 2 times"),
            often.c_str());
-  QVERIFY_EXCEPTION_THROWN(ackermann(A, both, fine), InputError);
-  QVERIFY_EXCEPTION_THROWN(placeSingleInput(A, B, fine), InputError);
-  QVERIFY_EXCEPTION_THROWN(placeRobustly(A, B, fine), InputError);
-  QVERIFY_EXCEPTION_THROWN(placePoles(A, Eigen::MatrixXd(2, 0), fine), InputError);
+  QVERIFY_THROWS_EXCEPTION(InputError, ackermann(A, both, fine));
+  QVERIFY_THROWS_EXCEPTION(InputError, placeSingleInput(A, B, fine));
+  QVERIFY_THROWS_EXCEPTION(InputError, placeRobustly(A, B, fine));
+  QVERIFY_THROWS_EXCEPTION(InputError, placePoles(A, Eigen::MatrixXd(2, 0), fine));
 }
 
 QTEST_GUILESS_MAIN(TestPlacement)
